@@ -1,0 +1,1 @@
+"""Numbers from the tables of a study; no SQL, no HTML."""

@@ -1,0 +1,5 @@
+"""Who holds the stick: virtual drivers, recorded people."""
+
+from omnistudy.operators.operator import Operator, Person, RunningOperator
+
+__all__ = ["Operator", "Person", "RunningOperator"]

@@ -1,0 +1,39 @@
+"""What every operator can do: see the robot and the task, and hold the stick."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from typing import Any, NamedTuple
+
+from omnistudy.devices import Hand
+from omnistudy.registry import KindModel
+from omnistudy.worlds import Situation
+
+
+class Person(NamedTuple):
+    """Who drives: stored seeds from which all of an operator's draws are made.
+
+    participant_seed : the same in all of a participant's trials.
+    trial_seed : of this trial and attempt alone.
+    position : 1-based place of the trial in the participant's order, for practice.
+    """
+
+    participant_seed: str
+    trial_seed: str
+    position: int
+
+
+class Operator(KindModel, ABC):
+    """Parameters of an operator; `begin` makes the one who drives a trial."""
+
+    @abstractmethod
+    def begin(self, person: Person, physics_hz: int) -> RunningOperator:
+        """Give the operator before the first step."""
+
+
+class RunningOperator(ABC):
+    """An operator during one trial. It never learns the condition nor the law."""
+
+    @abstractmethod
+    def hand(self, t: float, plant_state: Any, situation: Situation) -> Hand:
+        """Give what the hand does during the coming physics step, at t seconds."""

@@ -1,0 +1,60 @@
+"""What every plant can do: be built in a scene, take a command, step, be seen."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from typing import Any
+
+from omnistudy.channel import Channel
+from omnistudy.geometry import PlanarPose, Scan
+from omnistudy.registry import KindModel
+from omnistudy.scene import Scene
+
+
+class Plant(KindModel, ABC):
+    """Parameters of a robot; `build` makes the running one."""
+
+    @abstractmethod
+    def build(self, scene: Scene, start: PlanarPose, physics_hz: int) -> RunningPlant:
+        """Put the robot into the scene; raises StartsInWall when it does not fit there."""
+
+    @property
+    @abstractmethod
+    def width(self) -> float:
+        """The widest the robot is across its way, in m, for checks of passages."""
+
+
+class RunningPlant(ABC):
+    """A robot during one trial.
+
+    `state` has at least `contacts: Contacts`; a robot on the floor gives a PlanarState.
+    Channels named like a column of the `sample` table (x, y, theta, vx, vy, omega) go there, all
+    others to a stream.
+    """
+
+    channels: tuple[Channel, ...]
+
+    @property
+    @abstractmethod
+    def state(self) -> Any:
+        """What is seen of the robot now."""
+
+    @abstractmethod
+    def values(self) -> tuple[float, ...]:
+        """Give the present value of each channel."""
+
+    @abstractmethod
+    def command(self, command: Any) -> None:
+        """Take the command for the coming step."""
+
+    @abstractmethod
+    def step(self) -> None:
+        """Let one physics step pass."""
+
+    def scan(self) -> Scan | None:
+        """Give a turn of the range sensor, or None when the robot has none."""
+        return None
+
+    @abstractmethod
+    def close(self) -> None:
+        """Let go of the physics."""

@@ -1,0 +1,1 @@
+"""What is to be run, as data: models, composition, orders, hashes."""

@@ -1,0 +1,60 @@
+"""Kinds: which class a `kind:` in a YAML file stands for."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from importlib import import_module
+from importlib.metadata import EntryPoint, entry_points
+from typing import Any
+
+from omnistudy.errors import BrokenKind, UnknownKind
+
+BUILT_IN: Mapping[str, Mapping[str, str]] = {
+    "laws": {
+        "none": "omnistudy.laws.none:NoLaw",
+        "component": "omnistudy.laws.component:ComponentLaw",
+        "zero_torque": "omnistudy.laws.zero_torque:ZeroTorqueLaw",
+    },
+    "controllers": {
+        "rate": "omnistudy.controllers.rate:RateController",
+        "direct": "omnistudy.controllers.direct:DirectController",
+    },
+    "plants": {"youbot": "omnistudy.plants.youbot:Youbot"},
+    "devices": {
+        "simulated_stick": "omnistudy.devices.simulated_stick:SimulatedStick",
+        "direct": "omnistudy.devices.direct:DirectDevice",
+    },
+    "operators": {
+        "virtual_driver": "omnistudy.operators.virtual_driver:VirtualDriver",
+        "recorded": "omnistudy.operators.recorded:RecordedOperator",
+    },
+    "tasks": {"route": "omnistudy.tasks.route:RouteTask"},
+    "worlds": {"plan": "omnistudy.worlds.world:World"},
+}
+"""Group -> kind -> "module:Class". Strings, so that asking for names imports nothing heavy."""
+
+
+@cache
+def _announced(group: str) -> dict[str, EntryPoint]:
+    return {point.name: point for point in entry_points(group=f"omnistudy.{group}")}
+
+
+def kinds(group: str) -> tuple[str, ...]:
+    """Name every kind of a group ("laws", "plants"), ours and those of installed packages."""
+    return tuple(sorted({*BUILT_IN.get(group, {}), *_announced(group)}))
+
+
+def load_kind(group: str, kind: str) -> type[Any]:
+    """Give the class behind a kind; raises UnknownKind, or BrokenKind when its package fails."""
+    path = BUILT_IN.get(group, {}).get(kind)
+    if path is not None:
+        module, _, name = path.partition(":")
+        return getattr(import_module(module), name)  # type: ignore[no-any-return]
+    point = _announced(group).get(kind)
+    if point is None:
+        raise UnknownKind(group, kind, kinds(group))
+    try:
+        return point.load()  # type: ignore[no-any-return]
+    except (ImportError, AttributeError) as cause:
+        raise BrokenKind(group, kind, str(cause)) from cause

@@ -1,0 +1,55 @@
+"""The frozen parameter model under every kind, and the field type that picks the class."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pydantic import BaseModel, ConfigDict, PlainValidator
+from pydantic_core import PydanticCustomError
+
+from omnistudy.errors import UnknownKind, nearest
+from omnistudy.registry.kinds import kinds, load_kind
+
+
+class Model(BaseModel):
+    """Frozen data from a YAML page: unknown keys are refused, defaults stand in the class."""
+
+    model_config = ConfigDict(
+        extra="forbid", frozen=True, use_attribute_docstrings=True, validate_default=True
+    )
+
+
+class KindModel(Model):
+    """A model that a `kind:` selects; a subclass gives `kind: Literal["name"] = "name"`."""
+
+    kind: str
+
+
+def kind_validator(group: str) -> PlainValidator:
+    """Validate a mapping by the class that its `kind` names in the group."""
+
+    def validate(value: Any) -> Any:
+        if isinstance(value, KindModel):
+            return value
+        if not isinstance(value, dict) or not isinstance(value.get("kind"), str):
+            raise PydanticCustomError(
+                "kind_missing",
+                "a mapping with 'kind' is needed; the kinds of {group} are {allowed}",
+                {"group": group, "allowed": ", ".join(kinds(group))},
+            )
+        try:
+            chosen = load_kind(group, value["kind"])
+        except UnknownKind:
+            raise PydanticCustomError(
+                "kind_unknown",
+                "unknown kind '{given}': the kinds of {group} are {allowed}{hint}",
+                {
+                    "given": value["kind"],
+                    "group": group,
+                    "allowed": ", ".join(kinds(group)),
+                    "hint": nearest(value["kind"], kinds(group)),
+                },
+            ) from None
+        return chosen.model_validate(value)
+
+    return PlainValidator(validate)

@@ -1,0 +1,17 @@
+"""One description of what stands in a world and of what touches what."""
+
+from omnistudy.scene.scene import Body, Box, Cylinder, Hinge, Region, Role, Scene
+from omnistudy.scene.state import NO_CONTACT, Contacts, PlanarState
+
+__all__ = [
+    "NO_CONTACT",
+    "Body",
+    "Box",
+    "Contacts",
+    "Cylinder",
+    "Hinge",
+    "PlanarState",
+    "Region",
+    "Role",
+    "Scene",
+]

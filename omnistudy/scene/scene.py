@@ -1,0 +1,92 @@
+"""What stands in a world, as values: plants turn them into physics, drawings into plans."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from omnistudy.registry.model import Model
+from omnistudy.units import Kilograms, Metres, NewtonMetres, Positive, Radians
+
+Role = Literal["wall", "target", "finish", "door", "floor"]
+"""Only contact with a `wall` is a collision; `target` and `finish` are touched on purpose."""
+
+
+class Box(Model):
+    """A box of full side lengths."""
+
+    shape: Literal["box"] = "box"
+    x: Annotated[Metres, Positive]
+    y: Annotated[Metres, Positive]
+    z: Annotated[Metres, Positive]
+
+
+class Cylinder(Model):
+    """An upright cylinder."""
+
+    shape: Literal["cylinder"] = "cylinder"
+    radius: Annotated[Metres, Positive]
+    length: Annotated[Metres, Positive]
+
+
+Shape = Annotated[Box | Cylinder, Field(discriminator="shape")]
+
+
+class Hinge(Model):
+    """An upright hinge that gives way: where it stands in the body's frame, and its friction."""
+
+    x: Metres
+    """Hinge axis in the body's own frame, ahead of its centre."""
+    y: Metres = 0.0
+    """Hinge axis in the body's own frame, left of its centre."""
+    friction: Annotated[NewtonMetres, Field(ge=0)] = 1.0
+    """Torque that must be overcome to turn it."""
+    lower: Radians = -1.6
+    upper: Radians = 1.6
+
+
+class Body(Model):
+    """One thing in a world; the pose is that of its centre."""
+
+    name: str
+    role: Role
+    geometry: Shape
+    x: Metres
+    y: Metres
+    z: Metres
+    """Height of the centre above the floor."""
+    yaw: Radians = 0.0
+    colour: str = "#8a8f98"
+    """As #rrggbb, for drawings and views."""
+    solid: bool = True
+    """False: noticed when touched, but stops nothing."""
+    hinge: Hinge | None = None
+    mass: Annotated[Kilograms, Field(ge=0)] = 0.0
+    """Zero stands still; a body with a hinge needs a mass."""
+
+
+class Region(Model):
+    """A named part of the floor, such as a primitive of the thesis, to cut trajectories by."""
+
+    name: str
+    polygon: tuple[tuple[Metres, Metres], ...]
+    group: str = ""
+    """A larger data set that the region belongs to, such as "blue" or "green"."""
+
+    def contains(self, x: float, y: float) -> bool:
+        """Tell whether a point in m lies inside (even-odd rule)."""
+        inside = False
+        px, py = self.polygon[-1]
+        for qx, qy in self.polygon:
+            if (qy > y) != (py > y) and x < (px - qx) * (y - qy) / (py - qy) + qx:
+                inside = not inside
+            px, py = qx, qy
+        return inside
+
+
+class Scene(Model):
+    """Everything that has a body, and the named regions of the floor."""
+
+    bodies: tuple[Body, ...]
+    regions: tuple[Region, ...] = ()

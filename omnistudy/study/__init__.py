@@ -1,0 +1,1 @@
+"""What may happen: create, freeze, enrol, allocate."""

@@ -1,0 +1,6 @@
+"""One trial: the loop that couples operator, device, controller, law, plant and task."""
+
+from omnistudy.trial.result import TrialResult
+from omnistudy.trial.spec import TrialSpec
+
+__all__ = ["TrialResult", "TrialSpec"]

@@ -1,0 +1,43 @@
+"""Numbers with a unit, as field types: `x: Metres` is a finite float in m.
+
+A string such as "10 cm" is refused with the unit that is expected, because a silent conversion in a
+protocol would be a second way to write the same thing.
+"""
+
+from omnistudy.units.quantity import (
+    Hertz,
+    Kilograms,
+    Metres,
+    MetresPerSecond,
+    NewtonMetres,
+    NewtonMetresPerRadian,
+    NewtonMetreSeconds,
+    Newtons,
+    NewtonSecondsPerMetre,
+    NewtonsPerMetre,
+    Positive,
+    Radians,
+    RadiansPerSecond,
+    Ratio,
+    Seconds,
+    TorqueStiffness,
+)
+
+__all__ = [
+    "Hertz",
+    "Kilograms",
+    "Metres",
+    "MetresPerSecond",
+    "NewtonMetreSeconds",
+    "NewtonMetres",
+    "NewtonMetresPerRadian",
+    "NewtonSecondsPerMetre",
+    "Newtons",
+    "NewtonsPerMetre",
+    "Positive",
+    "Radians",
+    "RadiansPerSecond",
+    "Ratio",
+    "Seconds",
+    "TorqueStiffness",
+]

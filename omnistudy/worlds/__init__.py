@@ -1,0 +1,7 @@
+"""Worlds and the routes through them, as data; importers; drawings and checks of plans."""
+
+from omnistudy.worlds.route import Leg, Route
+from omnistudy.worlds.situation import Situation
+from omnistudy.worlds.world import Start, World
+
+__all__ = ["Leg", "Route", "Situation", "Start", "World"]

@@ -1,0 +1,52 @@
+"""A world: walls, blocks, door, named regions, a start and the routes through it."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from omnistudy.geometry import PlanarPose
+from omnistudy.registry import KindModel, Model
+from omnistudy.scene import Body, Region, Scene
+from omnistudy.units import Metres, Radians
+from omnistudy.worlds.route import Route
+
+
+class Start(Model):
+    """Where the robot stands when a trial opens."""
+
+    x: Metres
+    y: Metres
+    theta: Radians = 0.0
+
+    @property
+    def pose(self) -> PlanarPose:
+        """The same as a pose."""
+        return PlanarPose(self.x, self.y, self.theta)
+
+
+class World(KindModel):
+    """A world as data (Tyagi 2017, ch. 4, Fig. 4.10-4.12); lengths in m, angles in rad."""
+
+    kind: Literal["plan"] = "plan"
+    name: str
+    title: str = ""
+    start: Start
+    bodies: tuple[Body, ...]
+    regions: tuple[Region, ...] = ()
+    routes: Annotated[tuple[Route, ...], Field(min_length=1)]
+
+    @property
+    def scene(self) -> Scene:
+        """What stands in this world."""
+        return Scene(bodies=self.bodies, regions=self.regions)
+
+    def route(self, name: str) -> Route:
+        """Give a route by name; raises UnknownRoute."""
+        from omnistudy.errors.worlds import UnknownRoute
+
+        for route in self.routes:
+            if route.name == name:
+                return route
+        raise UnknownRoute(self.name, name, [route.name for route in self.routes])
