@@ -22,9 +22,7 @@ class Recording(Model):
     @model_validator(mode="after")
     def _ticks_fit(self) -> Self:
         if self.physics_hz % self.sample_hz:
-            raise ValueError(
-                f"sample_hz {self.sample_hz} must divide physics_hz {self.physics_hz}"
-            )
+            raise ValueError(f"sample_hz {self.sample_hz} must divide physics_hz {self.physics_hz}")
         if self.scan_hz > self.physics_hz:
             raise ValueError(f"scan_hz {self.scan_hz} is above physics_hz {self.physics_hz}")
         return self

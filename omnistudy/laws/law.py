@@ -42,4 +42,3 @@ class WrenchLaw(Law):
 
     def field(self, sensed: Sensed) -> ForceField:
         """Give the wrench and, as stiffness, -(dF/dtwist)·twist_per_stick."""
-        ...

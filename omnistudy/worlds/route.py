@@ -23,7 +23,10 @@ class Leg(Model):
     @property
     def length(self) -> float:
         """Length of the way in m."""
-        return sum(hypot(bx - ax, by - ay) for (ax, ay), (bx, by) in zip(self.path, self.path[1:], strict=False))
+        return sum(
+            hypot(bx - ax, by - ay)
+            for (ax, ay), (bx, by) in zip(self.path, self.path[1:], strict=False)
+        )
 
 
 class Route(Model):
