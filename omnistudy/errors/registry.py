@@ -1,7 +1,8 @@
-"""Mistakes in the naming of kinds."""
+"""Mistakes in the naming of kinds and of the lab's folder."""
 
 from collections.abc import Iterable
 from difflib import get_close_matches
+from pathlib import Path
 
 from omnistudy.errors.base import OmnistudyError
 
@@ -32,4 +33,14 @@ class BrokenKind(OmnistudyError):
         super().__init__(
             f"kind '{kind}' in {group} is announced by an installed package but does not load "
             f"({cause}): mend or uninstall that package"
+        )
+
+
+class NoLabFolder(OmnistudyError):
+    """A lab's folder that is named but not there."""
+
+    def __init__(self, folder: Path, named_by: str) -> None:
+        super().__init__(
+            f"{named_by} names the folder '{folder}', which does not exist: create it or name "
+            f"another"
         )
