@@ -31,6 +31,10 @@ BUILT_IN: Mapping[str, Mapping[str, str]] = {
     },
     "tasks": {"route": "omnistudy.tasks.route:RouteTask"},
     "worlds": {"plan": "omnistudy.worlds.world:World"},
+    "orders": {
+        "published_blocks": "omnistudy.protocol.ordering.published_blocks:PublishedBlocks",
+        "rotated": "omnistudy.protocol.ordering.rotated:Rotated",
+    },
 }
 """Group -> kind -> "module:Class". Strings, so that asking for names imports nothing heavy."""
 

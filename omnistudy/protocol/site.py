@@ -1,0 +1,32 @@
+"""What may differ from laboratory to laboratory without making it another study."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from omnistudy.registry import Model
+
+
+class Ethics(Model):
+    """The approval under which people take part (Tyagi 2017, ch. 5: IRB number on the record)."""
+
+    status: Literal["approved", "not_needed"]
+    """`not_needed` only for virtual participants, with the reason in `note`."""
+    board: str = ""
+    """Who approved it."""
+    number: str = ""
+    """Number of the approval."""
+    note: str = ""
+    """Whatever a reader must know about it."""
+
+
+class Site(Model):
+    """Approval, language and display of one laboratory."""
+
+    ethics: Ethics
+    language: Annotated[str, Field(pattern=r"^[a-z]{2}$")] = "en"
+    """Two letters: which file of messages participants read."""
+    display: str = ""
+    """What participants look at, in words."""
