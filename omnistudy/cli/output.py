@@ -47,7 +47,8 @@ def print_table(title: str, columns: Sequence[str], rows: Iterable[Sequence[obje
     cells = [tuple(row) for row in rows]
     table = Table(title=Text(title), title_justify="left", title_style="bold", box=box.SIMPLE_HEAD)
     for index, column in enumerate(columns):
-        numeric = bool(cells) and all(_is_number(row[index]) for row in cells)
+        given = [row[index] for row in cells if row[index] is not None]
+        numeric = bool(given) and all(_is_number(value) for value in given)
         table.add_column(Text(column), justify="right" if numeric else "left")
     for row in cells:
         table.add_row(*(Text(_cell(value)) for value in row))
