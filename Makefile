@@ -9,7 +9,7 @@ SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 SYSTEM_PACKAGES := chromium
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test quick bench lock system-packages
+.PHONY: help demo test quick bench reference lock system-packages
 
 help:  ## Say what can be made
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):[^#]*## /\1\t/' | expand -t 18
@@ -32,6 +32,9 @@ quick: $(INSTALLED)  ## Check in under two minutes: leaves out slow tests
 
 bench: $(INSTALLED)  ## Measure speed and memory; prints JSON
 	@$(BIN)/python benchmarks/run.py
+
+reference: $(INSTALLED)  ## Renew docs/reference/command-line.md from the commands' help
+	$(BIN)/python docs/make_reference.py
 
 lock: $(INSTALLED)  ## Renew requirements.lock on purpose
 	$(BIN)/pip install --quiet uv
