@@ -34,6 +34,9 @@ class Operator(KindModel, ABC):
 class RunningOperator(ABC):
     """An operator during one trial. It never learns the condition nor the law."""
 
+    finished: bool = False
+    """True once there is nothing more to do, such as at the end of a recording."""
+
     @abstractmethod
     def hand(self, t: float, plant_state: Any, situation: Situation) -> Hand:
         """Give what the hand does during the coming physics step, at t seconds."""

@@ -39,6 +39,11 @@ class RunningPlant(ABC):
     def state(self) -> Any:
         """What is seen of the robot now."""
 
+    @property
+    @abstractmethod
+    def travelled(self) -> float:
+        """Length in m of the way gone so far, summed over physics steps."""
+
     @abstractmethod
     def values(self) -> tuple[float, ...]:
         """Give the present value of each channel."""

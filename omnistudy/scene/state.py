@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import nan
 from typing import NamedTuple
 
 from omnistudy.geometry import PlanarPose, PlanarTwist
@@ -14,6 +15,7 @@ class Contacts(NamedTuple):
     others : names of targets, finish blocks and doors touched.
     clear : True when every wall is further off than the release gap of 5 mm.
     base, wheels : whether the wall contact is of the base, of a wheel.
+    bearing : direction of the deepest wall contact in the robot's frame, rad; NaN without one.
     """
 
     walls: tuple[str, ...] = ()
@@ -21,6 +23,7 @@ class Contacts(NamedTuple):
     clear: bool = True
     base: bool = False
     wheels: bool = False
+    bearing: float = nan
 
 
 NO_CONTACT = Contacts()

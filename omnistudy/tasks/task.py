@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 from omnistudy.channel import Event
 from omnistudy.registry import KindModel
+from omnistudy.tasks.messages import Messages
 from omnistudy.worlds import Situation, World
 
 
@@ -29,7 +30,7 @@ class Task(KindModel, ABC):
     """Parameters of a task; `begin` opens it in a world."""
 
     @abstractmethod
-    def begin(self, world: World, route: str) -> RunningTask:
+    def begin(self, world: World, route: str, messages: Messages) -> RunningTask:
         """Open the task on a route of the world; raises UnknownRoute."""
 
     @abstractmethod
@@ -39,6 +40,11 @@ class Task(KindModel, ABC):
 
 class RunningTask(ABC):
     """A task during one trial."""
+
+    @property
+    @abstractmethod
+    def situation(self) -> Situation:
+        """What the person sees of the task before the first step."""
 
     @abstractmethod
     def update(self, t: float, plant_state: Any, commanded: bool, collisions: int) -> Progress:

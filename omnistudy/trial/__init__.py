@@ -1,6 +1,7 @@
 """One trial: the loop that couples operator, device, controller, law, plant and task."""
 
+from omnistudy.trial.loop import resimulate, run_trial
 from omnistudy.trial.result import TrialResult
 from omnistudy.trial.spec import TrialSpec
 
-__all__ = ["TrialResult", "TrialSpec"]
+__all__ = ["TrialResult", "TrialSpec", "resimulate", "run_trial"]

@@ -10,7 +10,7 @@ from omnistudy.devices import Device
 from omnistudy.laws import Law
 from omnistudy.operators import Operator, Person
 from omnistudy.plants import Plant
-from omnistudy.tasks import Task
+from omnistudy.tasks import Messages, Task
 from omnistudy.worlds import World
 
 
@@ -27,4 +27,5 @@ class TrialSpec:
     operator: Operator
     task: Task
     recording: Recording
+    messages: Messages
     person: Person

@@ -1,0 +1,25 @@
+"""What reaches a motor when feedback, centring and gravity compensation add up."""
+
+from __future__ import annotations
+
+
+def motor_counts(force: float, centring: float, gravity: float, limit: float = 255.0) -> float:
+    """Add signed and clip once, so that never both pins of a pair are on; PWM counts."""
+    return max(-limit, min(limit, force + centring + gravity))
+
+
+def motor_counts_as_published(
+    force: float, centring: float, gravity: float, limit: float = 255.0
+) -> float:
+    """Give the net of the two pins as the firmware drives them (Tyagi 2017, App. A; omni.md 2).
+
+    Force and centring are split by sign, added per pin and each pin clipped to 0..255; gravity
+    rides on the pin chosen by the sign of the centring effort, and what turns negative is lost.
+    """
+    plus = max(0.0, force) + max(0.0, centring)
+    minus = max(0.0, -force) + max(0.0, -centring)
+    if centring >= 0.0:
+        plus += gravity
+    else:
+        minus -= gravity
+    return max(0.0, min(limit, plus)) - max(0.0, min(limit, minus))

@@ -1,0 +1,33 @@
+"""How far the stick's encoders turn for a given motion of the handle."""
+
+from __future__ import annotations
+
+from math import pi
+from typing import Annotated
+
+from omnistudy.registry import Model
+from omnistudy.units import Metres, Positive, Ratio
+
+
+class StickScale(Model):
+    """Counts per degree of the handle and the handle's length (Tyagi 2017, App. A; omni.md 2).
+
+    The thesis's three counts-per-degree figures disagree with its 15:1 capstan and 1440 counts per
+    turn (60 per degree); they are kept as the firmware has them.
+    """
+
+    counts_per_degree_x: Annotated[Ratio, Positive] = 12.0
+    counts_per_degree_theta: Annotated[Ratio, Positive] = 4.0
+    """1440 counts per turn of the handle."""
+    lever: Annotated[Metres, Positive] = 0.095
+    """Handle length at which 15 x 85.6 mN·m gives the published 13.5 N."""
+
+    @property
+    def metres_per_count(self) -> float:
+        """Handle travel in x or y, m per encoder count."""
+        return self.lever * pi / 180.0 / self.counts_per_degree_x
+
+    @property
+    def radians_per_count(self) -> float:
+        """Handle twist, rad per encoder count."""
+        return pi / 180.0 / self.counts_per_degree_theta

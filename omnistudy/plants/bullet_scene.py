@@ -1,0 +1,137 @@
+"""A scene as PyBullet bodies."""
+
+from __future__ import annotations
+
+from math import cos, hypot, sin
+from typing import NamedTuple
+
+import pybullet
+
+from omnistudy.scene import Body, Box, Scene
+
+ROBOT, STATIC, DOOR = 1, 2, 4
+"""Collision groups: robots meet walls and doors; doors meet only robots; walls only robots."""
+UPRIGHT = (0.0, 0.0, 0.0, 1.0)
+DOOR_LINK = 0
+
+
+class Marker(NamedTuple):
+    """A body that is noticed when touched but stops nothing."""
+
+    name: str
+    uid: int
+    x: float
+    y: float
+    radius: float
+
+
+class BulletScene(NamedTuple):
+    """Names of the PyBullet bodies by their unique number, and the bodies that stop nothing."""
+
+    walls: dict[int, str]
+    others: dict[int, str]
+    markers: tuple[Marker, ...]
+
+
+def add_scene(scene: Scene, client: int) -> BulletScene:
+    """Create every body of the scene in a PyBullet client."""
+    walls: dict[int, str] = {}
+    others: dict[int, str] = {}
+    markers: list[Marker] = []
+    for body in scene.bodies:
+        if body.role == "floor":
+            continue
+        uid = _hinged(body, client) if body.hinge else _standing(body, client)
+        if not body.solid:
+            markers.append(Marker(body.name, uid, body.x, body.y, _radius(body)))
+        elif body.role == "wall":
+            walls[uid] = body.name
+        else:
+            others[uid] = body.name
+    return BulletScene(walls, others, tuple(markers))
+
+
+def _radius(body: Body) -> float:
+    shape = body.geometry
+    return 0.5 * hypot(shape.x, shape.y) if isinstance(shape, Box) else shape.radius
+
+
+def _shape(body: Body, client: int) -> int:
+    shape = body.geometry
+    if isinstance(shape, Box):
+        return int(
+            pybullet.createCollisionShape(
+                pybullet.GEOM_BOX,
+                halfExtents=[0.5 * shape.x, 0.5 * shape.y, 0.5 * shape.z],
+                physicsClientId=client,
+            )
+        )
+    return int(
+        pybullet.createCollisionShape(
+            pybullet.GEOM_CYLINDER,
+            radius=shape.radius,
+            height=shape.length,
+            physicsClientId=client,
+        )
+    )
+
+
+def _standing(body: Body, client: int) -> int:
+    uid = pybullet.createMultiBody(
+        baseMass=0.0,
+        baseCollisionShapeIndex=_shape(body, client),
+        basePosition=[body.x, body.y, body.z],
+        baseOrientation=pybullet.getQuaternionFromEuler([0.0, 0.0, body.yaw]),
+        physicsClientId=client,
+    )
+    mask = ROBOT if body.solid else 0
+    pybullet.setCollisionFilterGroupMask(
+        uid, -1, STATIC if body.solid else 0, mask, physicsClientId=client
+    )
+    return int(uid)
+
+
+def _hinged(body: Body, client: int) -> int:
+    hinge = body.hinge
+    assert hinge is not None
+    c, s = cos(body.yaw), sin(body.yaw)
+    uid = pybullet.createMultiBody(
+        baseMass=0.0,
+        basePosition=[
+            body.x + c * hinge.x - s * hinge.y,
+            body.y + s * hinge.x + c * hinge.y,
+            body.z,
+        ],
+        baseOrientation=pybullet.getQuaternionFromEuler([0.0, 0.0, body.yaw]),
+        linkMasses=[body.mass],
+        linkCollisionShapeIndices=[_shape(body, client)],
+        linkVisualShapeIndices=[-1],
+        linkPositions=[[0.0, 0.0, 0.0]],
+        linkOrientations=[UPRIGHT],
+        linkInertialFramePositions=[[-hinge.x, -hinge.y, 0.0]],
+        linkInertialFrameOrientations=[UPRIGHT],
+        linkParentIndices=[0],
+        linkJointTypes=[pybullet.JOINT_REVOLUTE],
+        linkJointAxis=[[0.0, 0.0, 1.0]],
+        physicsClientId=client,
+    )
+    pybullet.changeDynamics(
+        uid,
+        DOOR_LINK,
+        jointLowerLimit=hinge.lower,
+        jointUpperLimit=hinge.upper,
+        linearDamping=0.0,
+        angularDamping=0.0,
+        jointDamping=0.0,
+        physicsClientId=client,
+    )
+    pybullet.setJointMotorControl2(
+        uid,
+        DOOR_LINK,
+        pybullet.VELOCITY_CONTROL,
+        targetVelocity=0.0,
+        force=hinge.friction,
+        physicsClientId=client,
+    )
+    pybullet.setCollisionFilterGroupMask(uid, DOOR_LINK, DOOR, ROBOT, physicsClientId=client)
+    return int(uid)

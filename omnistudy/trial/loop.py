@@ -1,0 +1,142 @@
+"""The loop: one trial at a fixed step, in simulated time, as fast as the machine goes."""
+
+from __future__ import annotations
+
+from math import nan
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omnistudy.controllers import Control
+from omnistudy.devices import DeviceState
+from omnistudy.geometry import NO_FORCE, PlanarTwist, Scan
+from omnistudy.laws import Sensed
+from omnistudy.plants import RunningPlant
+from omnistudy.trial.collisions import CollisionCounter
+from omnistudy.trial.recorder import Recorder
+from omnistudy.trial.result import TrialResult
+from omnistudy.trial.sources import HandSource, RecordSource, Source
+from omnistudy.trial.spec import TrialSpec
+from omnistudy.worlds import Situation
+
+STILL = PlanarTwist(0.0, 0.0, 0.0)
+
+
+def run_trial(spec: TrialSpec) -> TrialResult:
+    """Run a trial with its operator and device; the same spec gives the same bytes."""
+    return _run(spec, HandSource(spec))
+
+
+def resimulate(spec: TrialSpec, recorded: NDArray[np.float64]) -> TrialResult:
+    """Run a trial again from its recorded input alone, without operator and device.
+
+    recorded : the data of the stream "input", (steps, 2·axes).
+    """
+    return _run(spec, RecordSource(spec, recorded))
+
+
+def _run(spec: TrialSpec, source: Source) -> TrialResult:
+    plant = spec.plant.build(spec.world.scene, spec.world.start.pose, spec.recording.physics_hz)
+    try:
+        return _Loop(spec, source, plant).run()
+    finally:
+        plant.close()
+
+
+class _Loop:
+    def __init__(self, spec: TrialSpec, source: Source, plant: RunningPlant) -> None:
+        self._spec = spec
+        self._source = source
+        self._plant = plant
+        self._task = spec.task.begin(spec.world, spec.route, spec.messages)
+        self._collisions = CollisionCounter(spec.recording.physics_hz)
+        self._recorder = Recorder(spec.recording, source.axes, source.channels, plant.channels)
+        self._scan: Scan | None = None
+        self._field = NO_FORCE
+        axes = len(source.axes)
+        self._device = DeviceState((0.0,) * axes, (0.0,) * axes)
+        self._control = Control(STILL, None, spec.controller.initial_state())
+        self._started_at = nan
+
+    def run(self) -> TrialResult:
+        recording = self._spec.recording
+        physics_hz, scan_hz = recording.physics_hz, recording.scan_hz
+        sample_every = physics_hz // recording.sample_hz
+        dt = 1.0 / physics_hz
+        situation = self._task.situation
+        ended, step, scans = "", 0, -1
+        while not ended:
+            if step * scan_hz // physics_hz != scans:
+                scans = step * scan_hz // physics_hz
+                self._sense()
+            if step % sample_every == 0:
+                self._sample(step * dt)
+            if not self._source.has(step):
+                return self._result("aborted", "the input ended", step * dt)
+            self._step(step, dt, situation)
+            step += 1
+            situation, ended = self._notice(step * dt)
+        return self._result(ended, "", step * dt)
+
+    def _sense(self) -> None:
+        """Scan, ask the law, hand the field to the device."""
+        self._scan = scan = self._plant.scan()
+        if scan is None:
+            return
+        device = self._device
+        self._field = self._spec.law.field(
+            Sensed(
+                scan,
+                self._control.intent,
+                self._spec.controller.twist_per_stick,
+                device.position[:3],  # type: ignore[arg-type]
+                device.rate[:3],  # type: ignore[arg-type]
+            )
+        )
+        self._source.render(self._field)
+
+    def _sample(self, t: float) -> None:
+        self._recorder.sample(
+            t,
+            self._plant.values(),
+            self._device.position,
+            self._field.wrench,
+            self._source.values(),
+        )
+
+    def _step(self, step: int, dt: float, situation: Situation) -> None:
+        plant = self._plant
+        self._device = device = self._source.next(step, step * dt, plant.state, situation)
+        self._recorder.consumed(device)
+        self._control = control = self._spec.controller.control(
+            device, plant.state, self._scan, self._control.state, dt
+        )
+        plant.command(control.command)
+        plant.step()
+
+    def _notice(self, t: float) -> tuple[Situation, str]:
+        state = self._plant.state
+        events = self._collisions.update(t, state.contacts)
+        progress = self._task.update(
+            t, state, self._control.intent != STILL, self._collisions.count
+        )
+        if progress.started and self._started_at != self._started_at:
+            self._started_at = t
+        if events or progress.events:
+            self._recorder.events.extend((*events, *progress.events))
+        return progress.situation, progress.ended
+
+    def _result(self, status: Any, reason: str, t: float) -> TrialResult:
+        return TrialResult(
+            status=status,
+            reason=reason,
+            duration_s=t - self._started_at,
+            path_length_m=self._plant.travelled,
+            collisions=self._collisions.count,
+            collisions_legacy=self._collisions.legacy,
+            contact_time_s=self._collisions.contact_time,
+            events=tuple(self._recorder.events),
+            samples=self._recorder.samples(),
+            streams=self._recorder.streams(),
+        )
