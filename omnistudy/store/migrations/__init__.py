@@ -1,0 +1,1 @@
+"""How study databases grow from one revision to the next."""

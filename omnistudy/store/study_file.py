@@ -1,0 +1,214 @@
+"""Reading a study: `omnistudy.open(PATH)`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Self
+
+import numpy as np
+from sqlalchemy import Connection, func, select
+
+from omnistudy.channel import SAMPLE_COLUMNS, Stream
+from omnistudy.errors.store import DatabaseDamaged, NoSuchStream, NoSuchTrial
+from omnistudy.store import frames
+from omnistudy.store.chunks import Chunk, channels_from, unpack
+from omnistudy.store.connection import in_plain_words, reading_engine
+from omnistudy.store.file_check import check_file
+from omnistudy.store.records import StudyRecord
+from omnistudy.store.schema import check_revision
+from omnistudy.store.tables import (
+    ChunkRow,
+    ParticipantRow,
+    SampleRow,
+    StreamRow,
+    StudyRow,
+    TrialRow,
+)
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+    from pandas import DataFrame
+
+
+def open_study(path: str | Path) -> StudyFile:
+    """Open a study to read.
+
+    Raises StudyNotFound, NotAStudy, DatabaseTooOld, DatabaseTooNew or DatabaseDamaged.
+    """
+    path = Path(path)
+    check_file(path)
+    with in_plain_words(path):
+        connection = reading_engine(path).connect()
+        try:
+            with connection.begin():
+                check_revision(connection, path)
+        except BaseException:
+            connection.close()
+            raise
+    return StudyFile(path, connection)
+
+
+class StudyFile:
+    """A study opened to read; nothing of it can be changed through this.
+
+    Frames are tidy, one thing a row; `frame.attrs["units"]` maps columns to units. Trials are
+    called by their number, the column `trial` of `trials()`.
+    """
+
+    def __init__(self, path: Path, connection: Connection) -> None:
+        self.path = path
+        self.connection = connection
+        with self.reading():
+            self.study = self._study_record()
+        """Name, title, kind, hashes and protocol of the study."""
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Let go of the file."""
+        self.connection.close()
+
+    def __repr__(self) -> str:
+        with self.reading() as connection:
+            participants = connection.scalar(select(func.count()).select_from(ParticipantRow))
+            trials = connection.scalar(select(func.count()).select_from(TrialRow))
+            done = connection.scalar(
+                select(func.count()).select_from(TrialRow).where(TrialRow.status == "completed")
+            )
+        return (
+            f"<{self.study.kind} study '{self.study.name}': {participants} participants, "
+            f"{done} of {trials} trials completed, in {self.path}>"
+        )
+
+    @contextmanager
+    def reading(self) -> Iterator[Connection]:
+        """Give the connection for queries of one's own, all of them at the same instant."""
+        with in_plain_words(self.path), self.connection.begin():
+            yield self.connection
+
+    def trials(self) -> DataFrame:
+        """Give one row an attempt at a trial, planned ones too, with a column a factor."""
+        with self.reading() as connection:
+            return frames.trials_frame(connection)
+
+    def participants(self) -> DataFrame:
+        """Give one row a participant."""
+        with self.reading() as connection:
+            return frames.participants_frame(connection)
+
+    def sessions(self) -> DataFrame:
+        """Give one row a visit."""
+        with self.reading() as connection:
+            return frames.sessions_frame(connection)
+
+    def conditions(self) -> DataFrame:
+        """Give one row a condition, with a column a factor."""
+        with self.reading() as connection:
+            return frames.conditions_frame(connection)
+
+    def events(self, trial: int | None = None) -> DataFrame:
+        """Give one row an event, of one trial (raises NoSuchTrial) or of all."""
+        with self.reading() as connection:
+            if trial is not None:
+                self._require_trial(trial)
+            return frames.events_frame(connection, trial)
+
+    def samples(self, trial: int) -> DataFrame:
+        """Give one row a sample of a trial, columns SAMPLE_COLUMNS; raises NoSuchTrial."""
+        return frames.frame(SAMPLE_COLUMNS, self.sample_array(trial))
+
+    def sample_array(self, trial: int) -> NDArray[np.float64]:
+        """Give (n, 13) float64, columns SAMPLE_COLUMNS, NaN for NULL; raises NoSuchTrial."""
+        table = SampleRow.__table__
+        columns = [table.c[name] for name in SAMPLE_COLUMNS]
+        with self.reading() as connection:
+            self._require_trial(trial)
+            rows = connection.execute(
+                select(*columns).where(table.c.trial_id == trial).order_by(table.c.t)
+            ).all()
+        return np.array([tuple(row) for row in rows], dtype=np.float64).reshape(
+            -1, len(SAMPLE_COLUMNS)
+        )
+
+    def streams(self, trial: int) -> DataFrame:
+        """Give one row a stream of a trial: name, rate, rows, columns; raises NoSuchTrial."""
+        with self.reading() as connection:
+            self._require_trial(trial)
+            found = connection.execute(
+                select(
+                    StreamRow.name,
+                    StreamRow.rate_hz,
+                    func.coalesce(func.sum(ChunkRow.rows), 0).label("rows"),
+                    StreamRow.columns,
+                )
+                .outerjoin(ChunkRow, ChunkRow.stream_id == StreamRow.id)
+                .where(StreamRow.trial_id == trial)
+                .group_by(StreamRow.id)
+                .order_by(StreamRow.id)
+            ).all()
+        return frames.frame(
+            ("name", "rate_hz", "rows", "columns"),
+            [
+                (name, rate, rows, tuple(channel.name for channel in channels_from(text)))
+                for name, rate, rows, text in found
+            ],
+        )
+
+    def stream(self, trial: int, name: str) -> DataFrame:
+        """Give one row a tick of a stream: t in s, then its channels.
+
+        Raises NoSuchTrial, NoSuchStream, DatabaseDamaged.
+        """
+        stream = self.stream_record(trial, name)
+        times = np.arange(len(stream.data)) / stream.rate_hz
+        names = ("t", *(channel.name for channel in stream.channels))
+        units = {"t": "s"} | {channel.name: channel.unit for channel in stream.channels}
+        return frames.frame(names, np.column_stack([times, stream.data]), units)
+
+    def stream_record(self, trial: int, name: str) -> Stream:
+        """Give a stream as it was recorded, to simulate the trial again; raises as `stream`."""
+        with self.reading() as connection:
+            self._require_trial(trial)
+            found = connection.execute(
+                select(StreamRow).where(StreamRow.trial_id == trial).order_by(StreamRow.id)
+            ).all()
+            row = next((row for row in found if row.name == name), None)
+            if row is None:
+                raise NoSuchStream(trial, name, [row.name for row in found])
+            packed = connection.execute(
+                select(ChunkRow.t0, ChunkRow.rows, ChunkRow.sha256, ChunkRow.data)
+                .where(ChunkRow.stream_id == row.id)
+                .order_by(ChunkRow.t0)
+            ).all()
+        channels = channels_from(row.columns)
+        try:
+            pieces = [unpack(Chunk(*chunk), len(channels)) for chunk in packed]
+        except ValueError as error:
+            raise DatabaseDamaged(self.path, f"trial {trial}, stream '{name}': {error}") from error
+        data = np.concatenate([np.empty((0, len(channels))), *pieces])
+        return Stream(name, row.rate_hz, channels, data)
+
+    def _require_trial(self, trial: int) -> None:
+        found = self.connection.scalar(select(TrialRow.id).where(TrialRow.id == trial))
+        if found is None:
+            raise NoSuchTrial(self.path, trial)
+
+    def _study_record(self) -> StudyRecord:
+        row = self.connection.execute(select(StudyRow)).one()
+        return StudyRecord(
+            name=row.name,
+            title=row.title,
+            kind=row.kind,
+            protocol_json=row.protocol,
+            protocol_version=row.protocol_version,
+            design_hash=row.design_hash,
+            site_hash=row.site_hash,
+            created_at=row.created_at,
+            omnistudy_version=row.omnistudy_version,
+        )

@@ -1,0 +1,124 @@
+"""The rows of a trial: what one attempt leaves behind, and the look-up of those to be run."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import isnan
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from sqlalchemy import Connection, CursorResult, insert, select
+
+from omnistudy.channel import SAMPLE_COLUMNS, Event, Stream
+from omnistudy.store.chunks import chunks_of, columns_text
+from omnistudy.store.records import StoredTrial, TrialStatus
+from omnistudy.store.tables import (
+    ChunkRow,
+    EventRow,
+    ParticipantRow,
+    SampleRow,
+    SessionRow,
+    StreamRow,
+    TrialRow,
+)
+
+
+def null_for_nan(number: float) -> float | None:
+    """Give None, which SQL stores as NULL, for NaN."""
+    return None if isnan(number) else float(number)
+
+
+def inserted_id(inserted: CursorResult[Any]) -> int:
+    """Give the id of the row that was just inserted."""
+    key = inserted.inserted_primary_key
+    assert key is not None
+    return int(key[0])
+
+
+def insert_events(connection: Connection, trial_id: int, events: Sequence[Event]) -> None:
+    """Write a trial's events in their order."""
+    if events:
+        connection.execute(
+            insert(EventRow),
+            [{"trial_id": trial_id, **happened._asdict()} for happened in events],
+        )
+
+
+def insert_samples(connection: Connection, trial_id: int, samples: NDArray[np.float64]) -> None:
+    """Write (n, 13) samples, columns SAMPLE_COLUMNS; NaN becomes NULL.
+
+    Raises ValueError for another shape.
+    """
+    if samples.ndim != 2 or samples.shape[1] != len(SAMPLE_COLUMNS):
+        raise ValueError(f"samples have shape {samples.shape}, not (n, {len(SAMPLE_COLUMNS)})")
+    if not len(samples):
+        return
+    rows = samples.astype(object)
+    rows[np.isnan(samples)] = None
+    connection.execute(
+        insert(SampleRow),
+        [
+            {"trial_id": trial_id, **dict(zip(SAMPLE_COLUMNS, row, strict=True))}
+            for row in rows.tolist()
+        ],
+    )
+
+
+def insert_streams(connection: Connection, trial_id: int, streams: Sequence[Stream]) -> None:
+    """Write a trial's streams, cut into packed chunks."""
+    for stream in streams:
+        inserted = connection.execute(
+            insert(StreamRow).values(
+                trial_id=trial_id,
+                name=stream.name,
+                rate_hz=stream.rate_hz,
+                columns=columns_text(stream.channels),
+            )
+        )
+        stream_id = inserted_id(inserted)
+        rows = [{"stream_id": stream_id, **chunk._asdict()} for chunk in chunks_of(stream)]
+        if rows:
+            connection.execute(insert(ChunkRow), rows)
+
+
+def stored_trials(
+    connection: Connection,
+    *,
+    status: TrialStatus | None = None,
+    participant: str | None = None,
+    trial_id: int | None = None,
+) -> tuple[StoredTrial, ...]:
+    """Give the trials that match, in the order in which they are to be run."""
+    query = (
+        select(
+            TrialRow.id,
+            TrialRow.session_id,
+            TrialRow.position,
+            TrialRow.attempt,
+            TrialRow.kind,
+            TrialRow.condition,
+            TrialRow.repetition,
+            TrialRow.task,
+            TrialRow.route,
+            TrialRow.status,
+            TrialRow.reason,
+            TrialRow.protocol_version,
+            TrialRow.seed,
+            SessionRow.visit,
+            SessionRow.participant_id,
+            ParticipantRow.code.label("participant_code"),
+            ParticipantRow.kind.label("participant_kind"),
+            ParticipantRow.seed.label("participant_seed"),
+        )
+        .join(SessionRow, SessionRow.id == TrialRow.session_id)
+        .join(ParticipantRow, ParticipantRow.id == SessionRow.participant_id)
+        .order_by(ParticipantRow.id, SessionRow.visit, TrialRow.position, TrialRow.attempt)
+    )
+    if status is not None:
+        query = query.where(TrialRow.status == status)
+    if participant is not None:
+        query = query.where(ParticipantRow.code == participant)
+    if trial_id is not None:
+        query = query.where(TrialRow.id == trial_id)
+    return tuple(StoredTrial(**row) for row in connection.execute(query).mappings())
