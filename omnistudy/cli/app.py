@@ -90,10 +90,9 @@ def options_of_all(
     conf: Annotated[
         Path | None,
         typer.Option(
-            help="Your lab's folder of YAML files; they come before those of omnistudy.",
+            help="Your lab's folder of YAML files, which come before ours; else OMNISTUDY_CONF.",
             exists=True,
             file_okay=False,
-            envvar="OMNISTUDY_CONF",
         ),
     ] = None,
     debug: Annotated[

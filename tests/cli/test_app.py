@@ -43,7 +43,7 @@ def _verbs() -> typer.Typer:
 def trouble(monkeypatch: pytest.MonkeyPatch) -> None:
     """Add a noun whose verbs go wrong in every way."""
     module = ModuleType("omnistudy.cli.trouble")
-    module.app = _verbs()  # type: ignore[attr-defined]
+    module.app = _verbs()
     monkeypatch.setitem(sys.modules, "omnistudy.cli.trouble", module)
     monkeypatch.setitem(cli.NOUNS, "trouble", cli.Noun("Everything that can go wrong."))
     monkeypatch.delenv("OMNISTUDY_CONF", raising=False)
