@@ -1,6 +1,7 @@
 """Mistakes in worlds, their files and their routes."""
 
 from collections.abc import Sequence
+from pathlib import Path
 
 from omnistudy.errors.base import OmnistudyError
 from omnistudy.errors.registry import nearest
@@ -14,3 +15,22 @@ class UnknownRoute(OmnistudyError):
             f"world '{world}' has no route '{given}': its routes are {', '.join(allowed)}"
             f"{nearest(given, allowed)}"
         )
+
+
+class UnknownWorld(OmnistudyError):
+    """A world that is neither a file nor a name in a configuration folder."""
+
+    def __init__(self, given: str, allowed: Sequence[str]) -> None:
+        super().__init__(
+            f"no world '{given}': there is no such file, and the worlds are {', '.join(allowed)}"
+            f"{nearest(given, allowed)}"
+        )
+
+
+class BrokenWorld(OmnistudyError):
+    """A world's page that does not say a world; one sentence a fault."""
+
+    def __init__(self, page: Path, faults: Sequence[str]) -> None:
+        super().__init__("\n".join(faults))
+        self.page = page
+        self.faults = tuple(faults)

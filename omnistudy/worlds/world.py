@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import Annotated, Literal
 
 from pydantic import Field
@@ -11,6 +12,7 @@ from omnistudy.registry import KindModel, Model
 from omnistudy.scene import Body, Region, Scene
 from omnistudy.units import Metres, Radians
 from omnistudy.worlds.route import Route
+from omnistudy.worlds.walls import Walls
 
 
 class Start(Model):
@@ -33,14 +35,16 @@ class World(KindModel):
     name: str
     title: str = ""
     start: Start
-    bodies: tuple[Body, ...]
+    walls: Walls = Walls()
+    bodies: tuple[Body, ...] = ()
+    """Blocks, doors, finish, and walls that are not straight lines of the common make."""
     regions: tuple[Region, ...] = ()
     routes: Annotated[tuple[Route, ...], Field(min_length=1)]
 
-    @property
+    @cached_property
     def scene(self) -> Scene:
-        """What stands in this world."""
-        return Scene(bodies=self.bodies, regions=self.regions)
+        """What stands in this world: the walls first, in their order, then the bodies."""
+        return Scene(bodies=self.walls.bodies + self.bodies, regions=self.regions)
 
     def route(self, name: str) -> Route:
         """Give a route by name; raises UnknownRoute."""
