@@ -77,6 +77,16 @@ class StoreFull(OmnistudyError):
         )
 
 
+class DiskFailed(OmnistudyError):
+    """The disk refused to give or take bytes."""
+
+    def __init__(self, path: Path, cause: str) -> None:
+        super().__init__(
+            f"the disk failed at '{path}' ({cause}); nothing was half-written: check the disk, and "
+            "never keep a study on a network share"
+        )
+
+
 class StudyBusy(OmnistudyError):
     """Another process keeps the database to itself."""
 

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+import os
 import sqlite3
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from pathlib import Path
 
 from sqlalchemy import Connection, Engine, NullPool, create_engine, event
 from sqlalchemy.exc import DBAPIError
 
 from omnistudy.errors import OmnistudyError
-from omnistudy.errors.store import DatabaseDamaged, NotWritable, StoreFull, StudyBusy
+from omnistudy.errors.store import DatabaseDamaged, DiskFailed, NotWritable, StoreFull, StudyBusy
 
 BUSY_TIMEOUT_MS = 10_000
 """How long to wait for another writer before giving up."""
@@ -24,12 +25,12 @@ def writing_engine(path: Path, *, foreign_keys: bool = True) -> Engine:
     """
 
     def connect() -> sqlite3.Connection:
-        database = sqlite3.connect(f"{path.absolute().as_uri()}?mode=rw", uri=True)
-        database.execute(f"PRAGMA busy_timeout = {BUSY_TIMEOUT_MS}")
-        database.execute("PRAGMA journal_mode = WAL")
-        database.execute("PRAGMA synchronous = FULL")
-        database.execute(f"PRAGMA foreign_keys = {'ON' if foreign_keys else 'OFF'}")
-        return database
+        return _prepared(
+            sqlite3.connect(f"{path.absolute().as_uri()}?mode=rw", uri=True),
+            "PRAGMA journal_mode = WAL",
+            "PRAGMA synchronous = FULL",
+            f"PRAGMA foreign_keys = {'ON' if foreign_keys else 'OFF'}",
+        )
 
     return _engine(connect, begin="BEGIN IMMEDIATE")
 
@@ -39,24 +40,42 @@ def reading_engine(path: Path) -> Engine:
 
     def connect() -> sqlite3.Connection:
         address = path.absolute().as_uri()
-        database = sqlite3.connect(f"{address}?mode=ro", uri=True)
+        first_look = ("PRAGMA query_only = ON", "SELECT 1 FROM sqlite_master")
         try:
-            database.execute("SELECT 1 FROM sqlite_master").fetchone()
-        except sqlite3.OperationalError as cause:
+            return _prepared(sqlite3.connect(f"{address}?mode=ro", uri=True), *first_look)
+        except sqlite3.OperationalError as error:
             # WAL needs a helper file beside the database. In a folder that cannot be written there
             # is none, and nobody who could change the file under us either.
-            if cause.sqlite_errorcode & 0xFF not in (
+            if error.sqlite_errorcode & 0xFF not in (
                 sqlite3.SQLITE_CANTOPEN,
                 sqlite3.SQLITE_READONLY,
             ):
                 raise
-            database.close()
-            database = sqlite3.connect(f"{address}?immutable=1", uri=True)
-        database.execute("PRAGMA query_only = ON")
-        database.execute(f"PRAGMA busy_timeout = {BUSY_TIMEOUT_MS}")
-        return database
+            return _prepared(sqlite3.connect(f"{address}?immutable=1", uri=True), *first_look)
 
     return _engine(connect, begin="BEGIN")
+
+
+def remove_empty_log(path: Path) -> None:
+    """Let SQLite take away the helper files that a reader leaves beside a WAL database.
+
+    SQLite does so itself when the last connection that may write closes.
+    """
+    log = path.with_name(path.name + "-wal")
+    if log.exists() and log.stat().st_size == 0 and os.access(path, os.W_OK):
+        with closing(sqlite3.connect(f"{path.absolute().as_uri()}?mode=rw", uri=True)) as database:
+            database.execute("SELECT 1 FROM sqlite_master").fetchone()
+
+
+def _prepared(database: sqlite3.Connection, *statements: str) -> sqlite3.Connection:
+    """Run the statements that every connection of its kind begins with, or close it."""
+    try:
+        for statement in (f"PRAGMA busy_timeout = {BUSY_TIMEOUT_MS}", *statements):
+            database.execute(statement).fetchall()
+    except BaseException:
+        database.close()
+        raise
+    return database
 
 
 def _engine(connect: Callable[[], sqlite3.Connection], begin: str) -> Engine:
@@ -100,8 +119,10 @@ def _meaning(path: Path, error: BaseException | None) -> OmnistudyError | None:
             return StoreFull(path)
         case sqlite3.SQLITE_BUSY | sqlite3.SQLITE_LOCKED:
             return StudyBusy(path)
-        case sqlite3.SQLITE_CORRUPT | sqlite3.SQLITE_NOTADB | sqlite3.SQLITE_IOERR:
+        case sqlite3.SQLITE_CORRUPT | sqlite3.SQLITE_NOTADB:
             return DatabaseDamaged(path, str(error))
+        case sqlite3.SQLITE_IOERR:
+            return DiskFailed(path, str(error))
         case sqlite3.SQLITE_READONLY | sqlite3.SQLITE_CANTOPEN | sqlite3.SQLITE_PERM:
             return NotWritable(path)
         case _:

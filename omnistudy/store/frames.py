@@ -45,9 +45,9 @@ def frame(
     from pandas import DataFrame, to_datetime
 
     made = DataFrame.from_records([tuple(row) for row in rows], columns=list(columns))
-    for name in made.columns.intersection(NUMBERS):
+    for name in made.columns.intersection(list(NUMBERS)):
         made[name] = made[name].astype("float64")
-    for name in made.columns.intersection(MOMENTS):
+    for name in made.columns.intersection(list(MOMENTS)):
         made[name] = to_datetime(made[name], utc=True)
     made.attrs["units"] = {name: units[name] for name in made.columns if name in units}
     return made
@@ -149,16 +149,21 @@ def trials_frame(connection: Connection) -> DataFrame:
 
 
 def _with_factors(connection: Connection, table: DataFrame) -> DataFrame:
-    """Add a column a factor after `condition`; a factor named like a column gets `factor_`."""
+    """Add a column a factor after `condition`, and name those columns in `attrs["factors"]`.
+
+    A factor named like a column gets `factor_` before its name.
+    """
     levels = connection.execute(
         select(
             ConditionLevelRow.factor, ConditionLevelRow.condition, ConditionLevelRow.level
         ).order_by(ConditionLevelRow.factor)
     ).all()
     place = list(table.columns).index("condition") + 1
+    factors = []
     for factor in dict.fromkeys(row.factor for row in levels):
         level_of = {row.condition: row.level for row in levels if row.factor == factor}
         name = f"factor_{factor}" if factor in table.columns else factor
-        table.insert(place, name, table["condition"].map(level_of))
-        place += 1
+        table.insert(place + len(factors), name, table["condition"].map(level_of))
+        factors.append(name)
+    table.attrs["factors"] = tuple(factors)
     return table

@@ -14,16 +14,16 @@ from omnistudy.channel import SAMPLE_COLUMNS, Stream
 from omnistudy.errors.store import DatabaseDamaged, NoSuchStream, NoSuchTrial
 from omnistudy.store import frames
 from omnistudy.store.chunks import Chunk, channels_from, unpack
-from omnistudy.store.connection import in_plain_words, reading_engine
+from omnistudy.store.connection import in_plain_words, reading_engine, remove_empty_log
 from omnistudy.store.file_check import check_file
 from omnistudy.store.records import StudyRecord
+from omnistudy.store.rows import stored_study
 from omnistudy.store.schema import check_revision
 from omnistudy.store.tables import (
     ChunkRow,
     ParticipantRow,
     SampleRow,
     StreamRow,
-    StudyRow,
     TrialRow,
 )
 
@@ -61,8 +61,8 @@ class StudyFile:
         self.path = path
         self.connection = connection
         with self.reading():
-            self.study = self._study_record()
-        """Name, title, kind, hashes and protocol of the study."""
+            self.study: StudyRecord = stored_study(connection)
+            """Name, title, kind, hashes and protocol."""
 
     def __enter__(self) -> Self:
         return self
@@ -73,6 +73,7 @@ class StudyFile:
     def close(self) -> None:
         """Let go of the file."""
         self.connection.close()
+        remove_empty_log(self.path)
 
     def __repr__(self) -> str:
         with self.reading() as connection:
@@ -198,17 +199,3 @@ class StudyFile:
         found = self.connection.scalar(select(TrialRow.id).where(TrialRow.id == trial))
         if found is None:
             raise NoSuchTrial(self.path, trial)
-
-    def _study_record(self) -> StudyRecord:
-        row = self.connection.execute(select(StudyRow)).one()
-        return StudyRecord(
-            name=row.name,
-            title=row.title,
-            kind=row.kind,
-            protocol_json=row.protocol,
-            protocol_version=row.protocol_version,
-            design_hash=row.design_hash,
-            site_hash=row.site_hash,
-            created_at=row.created_at,
-            omnistudy_version=row.omnistudy_version,
-        )

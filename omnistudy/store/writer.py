@@ -27,8 +27,18 @@ from omnistudy.store.records import (
     ParticipantStatus,
     SessionStatus,
     StoredTrial,
+    StudyRecord,
     TrialOutcome,
     TrialStatus,
+)
+from omnistudy.store.rows import (
+    insert_events,
+    insert_samples,
+    insert_streams,
+    inserted_id,
+    null_for_nan,
+    stored_study,
+    stored_trials,
 )
 from omnistudy.store.schema import check_revision, migrate
 from omnistudy.store.tables import (
@@ -39,14 +49,6 @@ from omnistudy.store.tables import (
     SessionRow,
     StudyRow,
     TrialRow,
-)
-from omnistudy.store.trial_rows import (
-    insert_events,
-    insert_samples,
-    insert_streams,
-    inserted_id,
-    null_for_nan,
-    stored_trials,
 )
 
 
@@ -173,6 +175,17 @@ class StudyWriter:
             self.connection.execute(
                 update(SessionRow).where(SessionRow.id == session_id).values(values)
             )
+
+    @property
+    def study(self) -> StudyRecord:
+        """Name, title, kind, hashes and protocol of the study."""
+        with self.transaction():
+            return stored_study(self.connection)
+
+    def trials(self, participant: str | None = None) -> tuple[StoredTrial, ...]:
+        """Give every attempt at every trial, of one participant (by code) or of all, in order."""
+        with self.transaction():
+            return stored_trials(self.connection, participant=participant)
 
     def planned_trials(self, participant: str | None = None) -> tuple[StoredTrial, ...]:
         """Give the trials still to be run, of one participant (by code) or of all, in order."""

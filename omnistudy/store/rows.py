@@ -1,4 +1,4 @@
-"""The rows of a trial: what one attempt leaves behind, and the look-up of those to be run."""
+"""Rows as records: what one attempt leaves behind, trials to be run, the study itself."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from sqlalchemy import Connection, CursorResult, insert, select
 
 from omnistudy.channel import SAMPLE_COLUMNS, Event, Stream
 from omnistudy.store.chunks import chunks_of, columns_text
-from omnistudy.store.records import StoredTrial, TrialStatus
+from omnistudy.store.records import StoredTrial, StudyRecord, TrialStatus
 from omnistudy.store.tables import (
     ChunkRow,
     EventRow,
@@ -20,6 +20,7 @@ from omnistudy.store.tables import (
     SampleRow,
     SessionRow,
     StreamRow,
+    StudyRow,
     TrialRow,
 )
 
@@ -122,3 +123,19 @@ def stored_trials(
     if trial_id is not None:
         query = query.where(TrialRow.id == trial_id)
     return tuple(StoredTrial(**row) for row in connection.execute(query).mappings())
+
+
+def stored_study(connection: Connection) -> StudyRecord:
+    """Give the study."""
+    row = connection.execute(select(StudyRow)).one()
+    return StudyRecord(
+        name=row.name,
+        title=row.title,
+        kind=row.kind,
+        protocol_json=row.protocol,
+        protocol_version=row.protocol_version,
+        design_hash=row.design_hash,
+        site_hash=row.site_hash,
+        created_at=row.created_at,
+        omnistudy_version=row.omnistudy_version,
+    )
