@@ -55,7 +55,9 @@ class _RunningRoute(RunningTask):
     def situation(self) -> Situation:
         return self._situation
 
-    def update(self, t: float, plant_state: Any, commanded: bool, collisions: int) -> Progress:
+    def update(
+        self, t: float, plant_state: Any, commanded: bool, collisions: int, colliding: bool
+    ) -> Progress:
         """Start the clock, show and close messages, count blocks off, end."""
         contacts = plant_state.contacts
         started = self._started is not None
@@ -63,7 +65,7 @@ class _RunningRoute(RunningTask):
         if (
             (started or not commanded)
             and collisions == self._collisions
-            and not self._drive_away
+            and colliding == self._drive_away
             and leg.target not in contacts.others
             and self._message_ends is None
             and t < self._limit
@@ -74,7 +76,7 @@ class _RunningRoute(RunningTask):
         if commanded and not started:
             self._started = t
             events.append(Event(t, "start"))
-        self._warn(t, contacts.clear, collisions, events)
+        self._warn(t, colliding, collisions, events)
         if self._message_ends is not None and t >= self._message_ends:
             self._message_ends = None
             events.append(Event(t, "message_closed", self._messages.good_job))
@@ -89,9 +91,9 @@ class _RunningRoute(RunningTask):
         self._quiet = Progress((), self._situation, running, "")
         return Progress(tuple(events), self._situation, running, ended)
 
-    def _warn(self, t: float, clear: bool, collisions: int, events: list[Event]) -> None:
+    def _warn(self, t: float, colliding: bool, collisions: int, events: list[Event]) -> None:
         text = self._messages.drive_away
-        if self._drive_away and clear:
+        if self._drive_away and not colliding:
             self._drive_away = False
             events.append(Event(t, "message_closed", text.format(number=self._collisions)))
         if collisions > self._collisions:

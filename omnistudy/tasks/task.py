@@ -47,9 +47,12 @@ class RunningTask(ABC):
         """What the person sees of the task before the first step."""
 
     @abstractmethod
-    def update(self, t: float, plant_state: Any, commanded: bool, collisions: int) -> Progress:
+    def update(
+        self, t: float, plant_state: Any, commanded: bool, collisions: int, colliding: bool
+    ) -> Progress:
         """Notice what the step that ends at `t` did.
 
         commanded : whether the stick asked for any motion in it.
         collisions : running number of collisions, for what is shown to the person.
+        colliding : whether the last of them still goes on.
         """

@@ -27,6 +27,11 @@ class CollisionCounter:
         self.legacy = 0
 
     @property
+    def colliding(self) -> bool:
+        """Whether the last collision still goes on."""
+        return self._open
+
+    @property
     def contact_time(self) -> float:
         """Time in s in contact with any wall."""
         return self._contact_steps * self._dt

@@ -119,7 +119,11 @@ class _Loop:
         state = self._plant.state
         events = self._collisions.update(t, state.contacts)
         progress = self._task.update(
-            t, state, self._control.intent != STILL, self._collisions.count
+            t,
+            state,
+            self._control.intent != STILL,
+            self._collisions.count,
+            self._collisions.colliding,
         )
         if progress.started and self._started_at != self._started_at:
             self._started_at = t
