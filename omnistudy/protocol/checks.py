@@ -1,0 +1,129 @@
+"""Faults that lie between the fields of a protocol, found before anybody drives."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Collection, Iterator
+from itertools import chain
+from typing import NamedTuple
+
+import numpy as np
+
+from omnistudy.errors import nearest
+from omnistudy.protocol.protocol import Protocol
+from omnistudy.protocol.schedule import session_duration
+from omnistudy.worlds import World
+
+
+class Check(NamedTuple):
+    """One kind of fault: the fields that must be valid to look for it, and the look."""
+
+    needs: tuple[str, ...]
+    faults: Callable[[Protocol], Iterator[str]]
+
+
+def cross_faults(protocol: Protocol, valid: Collection[str]) -> tuple[str, ...]:
+    """Give every fault between the fields named in `valid`; others are not looked at."""
+    looks = [check.faults(protocol) for check in CHECKS if set(check.needs) <= set(valid)]
+    return tuple(chain.from_iterable(looks))
+
+
+def session_faults(protocol: Protocol) -> tuple[str, ...]:
+    """Tell when a session is longer than its limit; needs a protocol without other faults."""
+    longest = protocol.session.longest
+    expected = max(session_duration(protocol, slot) for slot in range(protocol.participants.count))
+    if expected <= longest:
+        return ()
+    return (
+        f"session.longest: a session is expected to last {expected:.0f} s, the limit is "
+        f"{longest:.0f} s: fewer trials, shorter routes or shorter pauses",
+    )
+
+
+def _labels(protocol: Protocol) -> Iterator[str]:
+    labels = Counter(condition.masked_label for condition in protocol.conditions)
+    for label, times in labels.items():
+        if times > 1:
+            yield f"conditions: {times} conditions share the masked_label '{label}': make it unique"
+
+
+def _levels(protocol: Protocol) -> Iterator[str]:
+    factors = {factor.name: factor.levels for factor in protocol.factors}
+    for condition in protocol.conditions:
+        where = f"conditions.{condition.name}.levels"
+        levels = {level.factor: level.level for level in condition.levels}
+        for factor in factors.keys() - levels.keys():
+            yield f"{where}: no level of factor '{factor}': one of {', '.join(factors[factor])}"
+        for factor, level in levels.items():
+            if factor not in factors:
+                names = ", ".join(factors) or "none"
+                yield (
+                    f"{where}.{factor}: unknown factor: the factors are {names}"
+                    f"{nearest(factor, factors)}"
+                )
+            elif level not in factors[factor]:
+                yield (
+                    f"{where}.{factor}: unknown level '{level}': the levels are "
+                    f"{', '.join(factors[factor])}{nearest(level, factors[factor])}"
+                )
+
+
+def _order(protocol: Protocol) -> Iterator[str]:
+    names = [condition.name for condition in protocol.conditions]
+    sequence = protocol.order.sequence(names, 0, np.random.default_rng(0))
+    for given in dict.fromkeys(sequence):
+        if given not in names:
+            yield (
+                f"order: unknown condition '{given}': the conditions are {', '.join(names)}"
+                f"{nearest(given, names)}"
+            )
+    for name in names:
+        if name not in sequence:
+            yield f"order: condition '{name}' is never met: put it into the order or take it out"
+
+
+def _routes(protocol: Protocol) -> Iterator[str]:
+    for world in _worlds(protocol):
+        names = [route.name for route in world.routes]
+        for given in protocol.routes:
+            if given not in names:
+                yield (
+                    f"routes: world '{world.name}' has no route '{given}': its routes are "
+                    f"{', '.join(names)}{nearest(given, names)}"
+                )
+
+
+def _participants(protocol: Protocol) -> Iterator[str]:
+    people = protocol.participants
+    keys = {"study_key": people.study_key, "participant_key": people.participant_key}
+    for name, key in keys.items():
+        if people.kind == "virtual" and not key:
+            yield f"participants.{name}: virtual participants need one: any text that stays"
+        if people.kind == "human" and key:
+            yield f"participants.{name}: a human study's key lies in its vault: leave it out"
+
+
+def _ethics(protocol: Protocol) -> Iterator[str]:
+    ethics, kind = protocol.site.ethics, protocol.participants.kind
+    if ethics.status == "not_needed" and kind == "human":
+        yield "site.ethics.status: people take part only under an approval: status approved"
+    if ethics.status == "not_needed" and not ethics.note:
+        yield "site.ethics.note: say why no approval is needed"
+    if ethics.status == "approved" and not (ethics.board and ethics.number):
+        yield "site.ethics: an approval needs its board and its number"
+
+
+def _worlds(protocol: Protocol) -> tuple[World, ...]:
+    own = [condition.world for condition in protocol.conditions if condition.world is not None]
+    return tuple({world.model_dump_json(): world for world in (protocol.world, *own)}.values())
+
+
+CHECKS = (
+    Check(("conditions",), _labels),
+    Check(("factors", "conditions"), _levels),
+    Check(("order", "conditions"), _order),
+    Check(("world", "conditions", "routes"), _routes),
+    Check(("participants",), _participants),
+    Check(("site", "participants"), _ethics),
+)
+"""Everything that is looked for, in the order of the page."""
