@@ -1,12 +1,13 @@
 """One description of what stands in a world and of what touches what."""
 
-from omnistudy.scene.scene import Body, Box, Cylinder, Hinge, Region, Role, Scene
+from omnistudy.scene.scene import Body, Box, Colour, Cylinder, Hinge, Region, Role, Scene
 from omnistudy.scene.state import NO_CONTACT, Contacts, PlanarState
 
 __all__ = [
     "NO_CONTACT",
     "Body",
     "Box",
+    "Colour",
     "Contacts",
     "Cylinder",
     "Hinge",

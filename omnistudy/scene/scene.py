@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from omnistudy.registry.model import Model
 from omnistudy.units import Kilograms, Metres, NewtonMetres, Positive, Radians
 
 Role = Literal["wall", "target", "finish", "door", "floor"]
 """Only contact with a `wall` is a collision; `target` and `finish` are touched on purpose."""
+
+Colour = Annotated[str, Field(pattern=r"^#[0-9a-fA-F]{6}$")]
+"""As #rrggbb."""
 
 
 class Box(Model):
@@ -45,6 +48,12 @@ class Hinge(Model):
     lower: Radians = -1.6
     upper: Radians = 1.6
 
+    @model_validator(mode="after")
+    def _turns(self) -> Self:
+        if not self.lower < self.upper:
+            raise ValueError("lower must be below upper")
+        return self
+
 
 class Body(Model):
     """One thing in a world; the pose is that of its centre."""
@@ -57,20 +66,31 @@ class Body(Model):
     z: Metres
     """Height of the centre above the floor."""
     yaw: Radians = 0.0
-    colour: str = "#8a8f98"
-    """As #rrggbb, for drawings and views."""
+    colour: Colour = "#8a8f98"
+    """For drawings and views."""
     solid: bool = True
     """False: noticed when touched, but stops nothing."""
     hinge: Hinge | None = None
     mass: Annotated[Kilograms, Field(ge=0)] = 0.0
     """Zero stands still; a body with a hinge needs a mass."""
 
+    @model_validator(mode="after")
+    def _hinged_weighs(self) -> Self:
+        if self.hinge is not None and self.mass == 0.0:
+            raise ValueError("a body with a hinge needs a mass above 0 kg")
+        return self
+
+    @property
+    def blocks(self) -> bool:
+        """Whether a robot cannot pass where it stands: solid, and no door that gives way."""
+        return self.solid and self.hinge is None and self.role != "floor"
+
 
 class Region(Model):
     """A named part of the floor, such as a primitive of the thesis, to cut trajectories by."""
 
     name: str
-    polygon: tuple[tuple[Metres, Metres], ...]
+    polygon: Annotated[tuple[tuple[Metres, Metres], ...], Field(min_length=3)]
     group: str = ""
     """A larger data set that the region belongs to, such as "blue" or "green"."""
 

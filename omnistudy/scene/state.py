@@ -15,7 +15,8 @@ class Contacts(NamedTuple):
     others : names of targets, finish blocks and doors touched.
     clear : True when every wall is further off than the release gap of 5 mm.
     base, wheels : whether the wall contact is of the base, of a wheel.
-    bearing : direction of the deepest wall contact in the robot's frame, rad; NaN without one.
+    bearing : where the most deeply touched wall lies, square to its face, in the robot's frame,
+        rad in [-pi, pi); NaN without one. (The point of contact would jump from corner to corner.)
     """
 
     walls: tuple[str, ...] = ()

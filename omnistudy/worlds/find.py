@@ -9,6 +9,7 @@ import yaml
 from pydantic import ValidationError
 
 from omnistudy.errors.worlds import BrokenWorld, UnknownWorld
+from omnistudy.registry import load_kind
 from omnistudy.registry.conf import conf_roots
 from omnistudy.registry.faults import explain
 from omnistudy.worlds.world import World
@@ -37,13 +38,15 @@ def world_file(name_or_file: str | Path, lab: Path | None = None) -> Path:
 
 
 def load_world(name_or_file: str | Path, lab: Path | None = None) -> World:
-    """Read a world; raises UnknownWorld or BrokenWorld."""
+    """Read a world; raises UnknownWorld, BrokenWorld, or UnknownKind."""
     page = world_file(name_or_file, lab)
     data = _parsed(page)
+    kind = data.get("kind", "plan") if isinstance(data, dict) else "plan"
+    chosen: type[World] = load_kind("worlds", str(kind))
     try:
-        return World.model_validate(data)
+        return chosen.model_validate(data)
     except ValidationError as faults:
-        raise BrokenWorld(page, explain(faults, str(page))) from faults
+        raise BrokenWorld(page, explain(faults, chosen, data, str(page))) from faults
 
 
 def _parsed(page: Path) -> Any:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import hypot
 from typing import Annotated
 
-from pydantic import Field
+from pydantic import Field, field_validator
 
 from omnistudy.registry import Model
 from omnistudy.units import Metres
@@ -19,6 +19,13 @@ class Leg(Model):
     target: str
     """Name of the body (role target or finish) to touch at the end."""
     path: Annotated[tuple[Point, ...], Field(min_length=2)]
+
+    @field_validator("path")
+    @classmethod
+    def _leads_somewhere(cls, path: tuple[Point, ...]) -> tuple[Point, ...]:
+        if all(point == path[0] for point in path):
+            raise ValueError("a way needs two different points")
+        return path
 
     @property
     def length(self) -> float:

@@ -8,7 +8,7 @@ from typing import Annotated
 from pydantic import field_validator
 
 from omnistudy.registry import Model
-from omnistudy.scene import Body, Box
+from omnistudy.scene import Body, Box, Colour
 from omnistudy.units import Metres, Positive
 from omnistudy.worlds.route import Point
 
@@ -40,7 +40,7 @@ class Walls(Model):
     """Tyagi 2017, appendix B (V-REP's "80cm high wall")."""
     thickness: Annotated[Metres, Positive] = 0.05
     """Ours: leaves 0.95 m between walls whose centre lines are 1 m apart."""
-    colour: str = "#8a8f98"
+    colour: Colour = "#8a8f98"
     lines: tuple[Wall, ...] = ()
 
     @property

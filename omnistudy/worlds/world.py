@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
+from omnistudy.errors.worlds import UnknownRoute
 from omnistudy.geometry import PlanarPose
 from omnistudy.registry import KindModel, Model
 from omnistudy.scene import Body, Region, Scene
@@ -41,6 +42,18 @@ class World(KindModel):
     regions: tuple[Region, ...] = ()
     routes: Annotated[tuple[Route, ...], Field(min_length=1)]
 
+    @model_validator(mode="after")
+    def _names_differ(self) -> Self:
+        for what, names in (
+            ("bodies or walls", [body.name for body in self.scene.bodies]),
+            ("routes", [route.name for route in self.routes]),
+            ("regions", [region.name for region in self.regions]),
+        ):
+            twice = sorted({name for name in names if names.count(name) > 1})
+            if twice:
+                raise ValueError(f"two {what} have the name '{twice[0]}': every name must differ")
+        return self
+
     @cached_property
     def scene(self) -> Scene:
         """What stands in this world: the walls first, in their order, then the bodies."""
@@ -48,8 +61,6 @@ class World(KindModel):
 
     def route(self, name: str) -> Route:
         """Give a route by name; raises UnknownRoute."""
-        from omnistudy.errors.worlds import UnknownRoute
-
         for route in self.routes:
             if route.name == name:
                 return route
