@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, NamedTuple
 
+import yaml
 from pydantic import TypeAdapter, ValidationError
 
 from omnistudy.errors.protocol import ProtocolFaults, UnknownProtocol
@@ -15,7 +16,7 @@ from omnistudy.protocol.faults import explained
 from omnistudy.protocol.protocol import Protocol
 from omnistudy.registry.conf import conf_roots, protocol_roots
 
-GROUPS = (*PARTS, "recording")
+GROUPS = (*PARTS, "recording", "messages")
 """Keys whose pages stand in folders of the same name; `law=none` chooses one."""
 
 
@@ -59,6 +60,30 @@ def protocol_pages(lab: Path | None = None) -> dict[str, Path]:
         for page in sorted(folder.glob("*.yaml")):
             pages.setdefault(page.stem, page)
     return pages
+
+
+class ProtocolEntry(NamedTuple):
+    """One line of a list of protocols; the title is "" for a page that does not say it."""
+
+    name: str
+    title: str
+    file: str
+
+
+def listed_protocols(lab: Path | None = None) -> tuple[ProtocolEntry, ...]:
+    """List the protocols that can be given by name, faulty ones too."""
+    return tuple(
+        ProtocolEntry(name, _title(page), str(page))
+        for name, page in sorted(protocol_pages(lab).items())
+    )
+
+
+def _title(page: Path) -> str:
+    try:
+        tree = yaml.safe_load(page.read_text(encoding="utf-8"))
+    except (yaml.YAMLError, UnicodeDecodeError):
+        return "(not readable as YAML)"
+    return str(tree.get("title", "")) if isinstance(tree, dict) else ""
 
 
 def read_protocol(tree: Mapping[str, Any], where: str) -> Protocol:

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from omnistudy.protocol.protocol import Protocol
 
-SITE_KEYS = ("title", "description", "site", "device")
+SITE_KEYS = ("title", "description", "site", "messages", "device")
 """What the site hash covers, besides the conditions' masked labels; the design hash has the rest.
 
 A condition that changes the device makes the device part of the design."""

@@ -28,7 +28,7 @@ from omnistudy.protocol.fields import (
 from omnistudy.protocol.participants import Participants, SessionLimits
 from omnistudy.protocol.site import Site
 from omnistudy.registry import Model
-from omnistudy.tasks import Task
+from omnistudy.tasks import Messages, Task
 from omnistudy.worlds import World
 
 
@@ -56,6 +56,8 @@ class Protocol(Model):
     """What a reviewer of the ethics board wants to know."""
     site: Site
     """What may differ from laboratory to laboratory."""
+    messages: Messages
+    """Every sentence that participants read, in their language; part of the site."""
     factors: tuple[Factor, ...] = ()
     """What the conditions vary: a mapping from the factor's name to its levels."""
     conditions: Annotated[tuple[Condition, ...], Field(min_length=1)]

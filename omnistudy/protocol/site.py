@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
-
-from pydantic import Field
+from typing import Literal
 
 from omnistudy.registry import Model
 
@@ -23,10 +21,8 @@ class Ethics(Model):
 
 
 class Site(Model):
-    """Approval, language and display of one laboratory."""
+    """Approval and display of one laboratory."""
 
     ethics: Ethics
-    language: Annotated[str, Field(pattern=r"^[a-z]{2}$")] = "en"
-    """Two letters: which file of messages participants read."""
     display: str = ""
     """What participants look at, in words."""

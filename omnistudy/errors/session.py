@@ -1,0 +1,33 @@
+"""Mistakes in running a study."""
+
+from omnistudy.errors.base import OmnistudyError
+
+
+class HumanParticipants(OmnistudyError):
+    """A study of people, asked to run by itself."""
+
+    def __init__(self, study: str) -> None:
+        super().__init__(
+            f"study '{study}' has human participants, who cannot be run by a virtual operator: "
+            "create a study with participants.kind=virtual"
+        )
+
+
+class NotVirtualDriver(OmnistudyError):
+    """A protocol without the driver that is to be calibrated."""
+
+    def __init__(self, protocol: str, kind: str) -> None:
+        super().__init__(
+            f"protocol '{protocol}' is driven by the operator '{kind}': only 'virtual_driver' is "
+            "calibrated; give a protocol with it, or add operator=virtual_driver"
+        )
+
+
+class NoFreeCondition(OmnistudyError):
+    """A protocol without a no-feedback condition to calibrate on."""
+
+    def __init__(self, protocol: str) -> None:
+        super().__init__(
+            f"protocol '{protocol}' has no condition with the law 'none': a driver is calibrated "
+            "on no-feedback trials alone, so give a protocol with one"
+        )

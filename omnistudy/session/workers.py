@@ -1,0 +1,34 @@
+"""Trials of virtual operators on several cores, given back in their order."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable, Iterator
+from concurrent.futures import Future, ProcessPoolExecutor
+from multiprocessing import get_context
+
+from omnistudy.trial import TrialResult, TrialSpec, run_trial
+
+AHEAD = 2
+"""Trials that each worker may have finished or waiting before the first is taken."""
+
+
+def run_all(specs: Iterable[TrialSpec], workers: int) -> Iterator[TrialResult]:
+    """Run trials on `workers` processes (one: in this process); results in the order given.
+
+    A trial depends on its spec alone, so the number of workers changes no byte.
+    """
+    if workers <= 1:
+        yield from map(run_trial, specs)
+        return
+    waiting: deque[Future[TrialResult]] = deque()
+    with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as pool:
+        try:
+            for spec in specs:
+                waiting.append(pool.submit(run_trial, spec))
+                if len(waiting) >= workers * AHEAD:
+                    yield waiting.popleft().result()
+            while waiting:
+                yield waiting.popleft().result()
+        finally:
+            pool.shutdown(wait=False, cancel_futures=True)
