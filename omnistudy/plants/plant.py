@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from math import sqrt
 from typing import Any
 
 from omnistudy.channel import Channel
@@ -22,6 +23,11 @@ class Plant(KindModel, ABC):
     @abstractmethod
     def width(self) -> float:
         """The widest the robot is across its way, in m, for checks of passages."""
+
+    @property
+    def circumradius(self) -> float:
+        """Radius in m of the circle swept by a turn on the spot; that of a square unless given."""
+        return self.width / sqrt(2.0)
 
 
 class RunningPlant(ABC):

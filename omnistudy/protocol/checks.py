@@ -13,6 +13,10 @@ from omnistudy.errors import nearest
 from omnistudy.protocol.protocol import Protocol
 from omnistudy.protocol.schedule import session_duration
 from omnistudy.worlds import World
+from omnistudy.worlds.check import check_world
+
+WORLD_FAULTS_TOLD = 5
+"""A robot that is too wide meets nearly every wall; nobody reads a hundred lines."""
 
 
 class Check(NamedTuple):
@@ -93,6 +97,22 @@ def _routes(protocol: Protocol) -> Iterator[str]:
                 )
 
 
+def _drivable(protocol: Protocol) -> Iterator[str]:
+    setups = [
+        (own.world or protocol.world, own.plant or protocol.plant) for own in protocol.conditions
+    ]
+    for world, plant in {repr(setup): setup for setup in setups}.values():
+        driven = tuple(route for route in world.routes if route.name in protocol.routes)
+        if driven:
+            checked = check_world(
+                world.model_copy(update={"routes": driven}), plant.width, plant.circumradius
+            )
+            yield from (f"world: {fault}" for fault in checked.faults[:WORLD_FAULTS_TOLD])
+            if len(checked.faults) > WORLD_FAULTS_TOLD:
+                more = len(checked.faults) - WORLD_FAULTS_TOLD
+                yield f"world: {more} more; `omnistudy world check {world.name}` tells them all"
+
+
 def _participants(protocol: Protocol) -> Iterator[str]:
     people = protocol.participants
     keys = {"study_key": people.study_key, "participant_key": people.participant_key}
@@ -115,7 +135,7 @@ def _ethics(protocol: Protocol) -> Iterator[str]:
 
 def _worlds(protocol: Protocol) -> tuple[World, ...]:
     own = [condition.world for condition in protocol.conditions if condition.world is not None]
-    return tuple({world.model_dump_json(): world for world in (protocol.world, *own)}.values())
+    return tuple({repr(world): world for world in (protocol.world, *own)}.values())
 
 
 CHECKS = (
@@ -123,6 +143,7 @@ CHECKS = (
     Check(("factors", "conditions"), _levels),
     Check(("order", "conditions"), _order),
     Check(("world", "conditions", "routes"), _routes),
+    Check(("world", "plant", "conditions", "routes"), _drivable),
     Check(("participants",), _participants),
     Check(("site", "participants"), _ethics),
 )

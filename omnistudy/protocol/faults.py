@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple, get_args
 
-from pydantic import BaseModel, ValidationError, WithJsonSchema
+from pydantic import BaseModel, ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails
 
 from omnistudy.errors import OmnistudyError, nearest
 from omnistudy.protocol.completion import PARTS
+from omnistudy.protocol.summary import unit_of
 from omnistudy.registry import load_kind
 
 KIND_KEYS = (*PARTS, "order")
@@ -59,7 +60,7 @@ def _sentence(fault: ErrorDetails, place: _Place) -> str:
     if fault["type"].startswith("kind_"):
         return fault["msg"]
     reason = fault["msg"].removeprefix("Value error, ").replace("Input should", "it should")
-    unit = _unit(place.field)
+    unit = unit_of(place.field) if place.field else ""
     in_unit = f" (in {unit})" if unit and unit not in reason else ""
     return f"given {_shortened(fault['input'])}, but {reason}{in_unit}"
 
@@ -120,13 +121,6 @@ def _tag(model: type[BaseModel]) -> Any:
         if key in model.model_fields:
             return model.model_fields[key].default
     return None
-
-
-def _unit(field: FieldInfo | None) -> str:
-    for item in field.metadata if field else ():
-        if isinstance(item, WithJsonSchema) and item.json_schema is not None:
-            return str(item.json_schema.get("unit", ""))
-    return ""
 
 
 def _shortened(value: Any) -> str:
