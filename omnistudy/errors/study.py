@@ -14,8 +14,8 @@ class UnknownStudy(OmnistudyError):
         known = sorted(names)
         there = f"are {', '.join(known)}" if known else "are none yet"
         super().__init__(
-            f"no study '{given}': the studies in '{folder}' {there}{nearest(given, known)}; "
-            "give such a name or the path of a .db, or make one with `omnistudy study create`"
+            f"no study '{given}': give a name or the path of a .db, or make one with "
+            f"`omnistudy study create`; the studies in '{folder}' {there}{nearest(given, known)}"
         )
 
 

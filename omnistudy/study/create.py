@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from omnistudy.errors.store import StudyExists
 from omnistudy.errors.study import BadStudyName
 from omnistudy.protocol import FrozenProtocol, Protocol, freeze, plan
 from omnistudy.protocol.seeds import participant_seed, trial_seed
@@ -29,8 +30,7 @@ def create_study(protocol: Protocol, path: Path, name: str) -> StudyRecord:
 
     Raises StudyExists, BadStudyName, NotWritable or StoreFull.
     """
-    if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9_-]*", name):
-        raise BadStudyName(name)
+    refuse_taken(path, name)
     frozen = freeze(protocol)
     study = NewStudy(
         name=name,
@@ -48,6 +48,14 @@ def create_study(protocol: Protocol, path: Path, name: str) -> StudyRecord:
                 _enrol(writer, protocol, frozen, slot)
     with open_study(path) as created:
         return created.study
+
+
+def refuse_taken(path: Path, name: str) -> None:
+    """Raise StudyExists for a file that is there, BadStudyName for a name that no file can have."""
+    if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9_-]*", name):
+        raise BadStudyName(name)
+    if path.exists():
+        raise StudyExists(path)
 
 
 def _conditions(protocol: Protocol) -> tuple[NewCondition, ...]:
