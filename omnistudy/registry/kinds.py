@@ -19,6 +19,7 @@ BUILT_IN: Mapping[str, Mapping[str, str]] = {
     "controllers": {
         "rate": "omnistudy.controllers.rate:RateController",
         "direct": "omnistudy.controllers.direct:DirectController",
+        "differential": "omnistudy.controllers.differential:DifferentialController",
     },
     "plants": {"youbot": "omnistudy.plants.youbot:Youbot"},
     "devices": {
@@ -29,7 +30,10 @@ BUILT_IN: Mapping[str, Mapping[str, str]] = {
         "virtual_driver": "omnistudy.operators.virtual_driver:VirtualDriver",
         "recorded": "omnistudy.operators.recorded:RecordedOperator",
     },
-    "tasks": {"route": "omnistudy.tasks.route:RouteTask"},
+    "tasks": {
+        "route": "omnistudy.tasks.route:RouteTask",
+        "free": "omnistudy.tasks.free:FreeTask",
+    },
     "worlds": {"plan": "omnistudy.worlds.world:World"},
     "orders": {
         "published_blocks": "omnistudy.protocol.ordering.published_blocks:PublishedBlocks",

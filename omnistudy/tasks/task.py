@@ -41,6 +41,9 @@ class Task(KindModel, ABC):
 class RunningTask(ABC):
     """A task during one trial."""
 
+    when_input_ends: str = "aborted"
+    """Status of a trial whose operator is finished before the task is."""
+
     @property
     @abstractmethod
     def situation(self) -> Situation:

@@ -73,7 +73,7 @@ class _Loop:
             if step % sample_every == 0:
                 self._sample(step * dt)
             if not self._source.has(step):
-                return self._result("aborted", "the input ended", step * dt)
+                return self._result(self._task.when_input_ends, "the input ended", step * dt)
             self._step(step, dt, situation)
             step += 1
             situation, ended = self._notice(step * dt)
