@@ -159,7 +159,7 @@ def _with_factors(connection: Connection, table: DataFrame) -> DataFrame:
         ).order_by(ConditionLevelRow.factor)
     ).all()
     place = list(table.columns).index("condition") + 1
-    factors = []
+    factors: list[str] = []
     for factor in dict.fromkeys(row.factor for row in levels):
         level_of = {row.condition: row.level for row in levels if row.factor == factor}
         name = f"factor_{factor}" if factor in table.columns else factor
