@@ -21,7 +21,8 @@ NOT_RUNNABLE = {"text", "yaml", "sql", "json", "csv", "toml", ""}
 MAY_STAY_UNRUN = re.compile(r"make |git clone |cd |\. \.venv/|python3? -m venv |pip install ")
 
 FENCE = re.compile(
-    r"^(?:<!-- not run: (?P<reason>.+) -->\n)?```(?P<language>\w*)\n(?P<body>.*?)^```$", re.M | re.S
+    r"^(?:<!-- not run: (?P<reason>[^\n]+) -->\n)?```(?P<language>\w*)\n(?P<body>.*?)^```$",
+    re.M | re.S,
 )
 HEREDOC = re.compile(r"<<-?\s*['\"]?(\w+)['\"]?")
 

@@ -81,7 +81,7 @@ def test_spelling_is_british(committed: list[Path]) -> None:
 
 
 def _prose(path: Path) -> Iterator[str]:
-    """Give the words a person wrote: pages, docstrings and YAML, without code in backticks."""
+    """Give the words a person wrote: pages, docstrings and YAML, without code and quoted titles."""
     text = path.read_text(encoding="utf-8")
     if path.suffix == ".md":
         yield re.sub(r"```.*?```|`[^`]*`|\]\([^)]*\)", "", text, flags=re.S)
@@ -90,7 +90,7 @@ def _prose(path: Path) -> Iterator[str]:
     elif path.suffix == ".py":
         for node in ast.walk(ast.parse(text)):
             if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
-                yield re.sub(r"``?[^`]*``?", "", str(node.value.value))
+                yield re.sub(r"``?[^`]*``?|\"[^\"]*\"", "", str(node.value.value))
 
 
 def _pyproject() -> dict[str, list[str]]:
