@@ -9,6 +9,7 @@ import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from io import StringIO
 from typing import Any
 
 PIPE_WIDTH = 1000
@@ -52,8 +53,13 @@ def print_table(title: str, columns: Sequence[str], rows: Iterable[Sequence[obje
         table.add_column(Text(column), justify="right" if numeric else "left")
     for row in cells:
         table.add_row(*(Text(_cell(value)) for value in row))
-    console = Console(width=None if sys.stdout.isatty() else PIPE_WIDTH, highlight=False)
-    console.print(table)
+    if sys.stdout.isatty():
+        Console(highlight=False).print(table)
+        return
+    piped = Console(file=StringIO(), width=PIPE_WIDTH, highlight=False)
+    with piped.capture() as drawn:
+        piped.print(table)
+    print("\n".join(line.rstrip() for line in drawn.get().splitlines()))
 
 
 @contextmanager
