@@ -88,11 +88,12 @@ class DiskFailed(OmnistudyError):
 
 
 class StudyBusy(OmnistudyError):
-    """Another process keeps the database to itself."""
+    """Another process has the study open to write."""
 
     def __init__(self, path: Path) -> None:
         super().__init__(
-            f"another program is writing to '{path}': wait until it is done, or close it"
+            f"another program has '{path}' open to write, such as a running session: wait until it "
+            "is done"
         )
 
 

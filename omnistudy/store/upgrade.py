@@ -10,17 +10,23 @@ from omnistudy.errors.store import DatabaseDamaged, DatabaseTooNew
 from omnistudy.store.connection import in_plain_words, reading_engine, writing_engine
 from omnistudy.store.draft import draft_of
 from omnistudy.store.file_check import check_file
+from omnistudy.store.lock import sole_writer
 from omnistudy.store.schema import is_known, migrate, newest_revision, revision_of
 
 
 def upgrade_study(path: str | Path) -> Path | None:
     """Copy a database beside itself, then migrate it; gives the copy, None when it is current.
 
-    Raises StudyNotFound, NotAStudy, DatabaseTooNew, DatabaseDamaged, StoreFull; the database is
-    then as it was.
+    Raises StudyNotFound, NotAStudy, DatabaseTooNew, DatabaseDamaged, StudyBusy, StoreFull; the
+    database is then as it was.
     """
     path = Path(path)
     check_file(path)
+    with sole_writer(path):
+        return _upgrade(path)
+
+
+def _upgrade(path: Path) -> Path | None:
     with in_plain_words(path), reading_engine(path).begin() as connection:
         revision = revision_of(connection, path)
     newest = newest_revision()

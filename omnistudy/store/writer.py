@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
-from dataclasses import asdict
+from contextlib import ExitStack, contextmanager
+from dataclasses import asdict, fields
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, Self
@@ -19,6 +19,7 @@ from omnistudy.errors.store import NoSuchTrial, WrongTrialStatus
 from omnistudy.store.connection import in_plain_words, writing_engine
 from omnistudy.store.draft import draft_of
 from omnistudy.store.file_check import check_file
+from omnistudy.store.lock import sole_writer
 from omnistudy.store.records import (
     NewCondition,
     NewParticipant,
@@ -53,7 +54,7 @@ from omnistudy.store.tables import (
 
 
 class StudyWriter:
-    """A study database opened to write; use as a context manager.
+    """A study database opened to write, by one process at a time; use as a context manager.
 
     Every method is a transaction of its own unless it stands inside `with writer.transaction():`.
     All raise StoreFull, StudyBusy, NotWritable or DatabaseDamaged when the disk says so, and then
@@ -62,12 +63,16 @@ class StudyWriter:
 
     def __init__(self, path: Path, draft: Path | None = None) -> None:
         self.path = path
-        with in_plain_words(path):
-            self.connection: Connection = writing_engine(draft or path).connect()
+        with ExitStack() as held:
+            file = draft or path
+            held.enter_context(sole_writer(file))
+            with in_plain_words(path):
+                self.connection: Connection = held.enter_context(writing_engine(file).connect())
+            self._held = held.pop_all()
 
     @classmethod
     def open(cls, path: str | Path) -> Self:
-        """Open a study that exists; raises as `omnistudy.open` does."""
+        """Open a study that exists; raises as `omnistudy.open` does, and StudyBusy."""
         path = Path(path)
         check_file(path)
         writer = cls(path)
@@ -104,7 +109,7 @@ class StudyWriter:
 
     def close(self) -> None:
         """Let go of the file."""
-        self.connection.close()
+        self._held.close()
 
     @contextmanager
     def transaction(self) -> Iterator[None]:
@@ -258,21 +263,9 @@ class StudyWriter:
         with self.transaction():
             self._require(trial_id, "repeated", "void", "aborted")
             (trial,) = stored_trials(self.connection, trial_id=trial_id)
-            return self.add_trial(
-                NewTrial(
-                    session_id=trial.session_id,
-                    position=trial.position,
-                    kind=trial.kind,
-                    task=trial.task,
-                    route=trial.route,
-                    seed=seed,
-                    condition=trial.condition,
-                    repetition=trial.repetition,
-                    protocol_version=trial.protocol_version,
-                    attempt=trial.attempt + 1,
-                    reason=reason,
-                )
-            )
+            kept = {field.name: getattr(trial, field.name) for field in fields(NewTrial)}
+            changed = {"seed": seed, "reason": reason, "attempt": trial.attempt + 1}
+            return self.add_trial(NewTrial(**kept | changed))
 
     def _require(self, trial_id: int, action: str, *needed: TrialStatus) -> None:
         status = self.connection.scalar(select(TrialRow.status).where(TrialRow.id == trial_id))

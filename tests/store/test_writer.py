@@ -21,6 +21,7 @@ from omnistudy.store import (
     TrialOutcome,
     open_study,
     sample_digest,
+    upgrade_study,
 )
 
 FinishTrial = Callable[[StudyWriter, int], None]
@@ -248,12 +249,30 @@ def test_seeds_and_places_are_checked(study: Path) -> None:
         writer.add_trial(trial)
 
 
-def test_a_second_writer_is_told_to_wait(study: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("omnistudy.store.connection.BUSY_TIMEOUT_MS", 1)
-    with StudyWriter.open(study) as first, StudyWriter.open(study) as second, first.transaction():
-        first.set_participant_status(1, "active")
+def test_a_second_writer_is_sent_away(study: Path) -> None:
+    with StudyWriter.open(study) as first:
         with pytest.raises(StudyBusy, match="another program"):
-            second.set_participant_status(2, "active")
+            StudyWriter.open(study)
+        with pytest.raises(StudyBusy):
+            upgrade_study(study)
+        first.start_trial(1)
+    with StudyWriter.open(study) as second:
+        assert [trial.id for trial in second.interrupted_trials()] == [1]
+    assert [entry.name for entry in study.parent.iterdir()] == ["small.db"]
+
+
+def test_a_browser_that_holds_the_file_is_named(
+    study: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("omnistudy.store.connection.BUSY_TIMEOUT_MS", 1)
+    browser = sqlite3.connect(study)
+    with StudyWriter.open(study) as writer:
+        browser.execute("UPDATE study SET title = 'mine'")
+        with pytest.raises(StudyBusy, match="another program"):
+            writer.set_participant_status(2, "active")
+        browser.rollback()
+        writer.set_participant_status(2, "active")
+    browser.close()
 
 
 def test_same_results_give_the_same_samples(
