@@ -43,10 +43,14 @@ def _condition(name: str, body: Any, tree: Mapping[str, Any]) -> Any:
         return body
     full = {"name": name, **body}
     if isinstance(full.get("levels"), Mapping):
-        full["levels"] = [
-            {"factor": factor, "level": level} for factor, level in full["levels"].items()
-        ]
+        full["levels"] = _levels(full["levels"], tree.get("factors"))
     for part in PARTS:
         if part in full:
             full[part] = laid_over(tree.get(part), full[part])
     return full
+
+
+def _levels(levels: Mapping[str, Any], factors: Any) -> list[dict[str, Any]]:
+    """List levels in the order of the factors, so that the page's order says nothing."""
+    known = [name for name in factors if name in levels] if isinstance(factors, Mapping) else []
+    return [{"factor": name, "level": levels[name]} for name in dict.fromkeys([*known, *levels])]

@@ -61,7 +61,7 @@ def _sentence(fault: ErrorDetails, place: _Place) -> str:
         return fault["msg"]
     reason = fault["msg"].removeprefix("Value error, ").replace("Input should", "it should")
     unit = unit_of(place.field) if place.field else ""
-    in_unit = f" (in {unit})" if unit and unit not in reason else ""
+    in_unit = f" (in {unit})" if unit and f" in {unit}" not in reason else ""
     return f"given {_shortened(fault['input'])}, but {reason}{in_unit}"
 
 

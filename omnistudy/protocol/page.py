@@ -65,7 +65,7 @@ def _composed(name: str, folders: tuple[Path, ...], overrides: list[str]) -> dic
 
 def _set_or_add(text: str, groups: Sequence[str]) -> str:
     """Hydra refuses to set what no page wrote; here defaults stand in the models, so it must."""
-    override = OverridesParser.create().parse_override(text)
+    (override,) = OverridesParser.create().parse_overrides([text])
     plain = not (override.is_add() or override.is_force_add() or override.is_delete())
     return f"++{text}" if plain and override.key_or_group not in groups else text
 
