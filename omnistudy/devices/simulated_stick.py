@@ -117,7 +117,7 @@ class _RunningStick(RunningDevice):
         self._offset = [0.0, 0.0, 0.0]
         self._offset_step = [0.0, 0.0, 0.0]
         self._ramp = 0
-        self._since_field = 1
+        self._since_field = physics_hz * stick.ticks_per_step
         self._valid = 0
 
     @property
@@ -130,15 +130,27 @@ class _RunningStick(RunningDevice):
 
     def render(self, field: ForceField) -> None:
         """Take a field; its wrench is ramped over one law period so that the hand feels no step."""
+        self._exchange(field)
         about, wrench, stiffness = field.about, field.wrench, field.stiffness
         ticks = max(1, min(self._since_field, round(field.valid_for / self._dt)))
         for i, row in enumerate(stiffness):
             target = wrench[i] + row[0] * about[0] + row[1] * about[1] + row[2] * about[2]
             self._offset_step[i] = (target - self._offset[i]) / ticks
-        self._field = field
         self._ramp = ticks
         self._since_field = 0
         self._valid = max(1, round(field.valid_for / self._dt))
+
+    def _exchange(self, field: ForceField) -> None:
+        """Change stiffness and damping without a step: the offset takes up the difference."""
+        old = self._field
+        self._field = field
+        if old.stiffness == field.stiffness and old.damping == field.damping:
+            return
+        for i in range(3):
+            for j, axis in enumerate(self._axes):
+                self._offset[i] += (field.stiffness[i][j] - old.stiffness[i][j]) * axis.position + (
+                    field.damping[i][j] - old.damping[i][j]
+                ) * axis.rate
 
     def advance(self, hand: Hand) -> DeviceState:
         """Let the firmware tick and the handle move; give whole encoder counts in SI."""
@@ -204,7 +216,7 @@ class _RunningStick(RunningDevice):
     def _go_stale(self) -> None:
         """Fade to no force over one period of validity (a force is bounded in time, too)."""
         ticks = max(1, round(self._field.valid_for / self._dt))
-        self._field = NO_FORCE
+        self._exchange(NO_FORCE)
         self._offset_step = [-value / ticks for value in self._offset]
         self._ramp = ticks
 
