@@ -42,7 +42,7 @@ NOUNS = {
     "law": Noun("Laws that make the force on the stick."),
     "world": Noun("Worlds to drive through."),
     "operator": Noun("Who drives: the virtual driver, a recording."),
-    "drive": Noun("Drive through a world without a study.", True),
+    "drive": Noun("Drive through worlds without a study: recordings, the virtual driver."),
     "report": Noun("A study's report as one HTML file.", True),
 }
 """Noun -> its help; its verbs live in `omnistudy.cli.<noun>` as `app`."""
