@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from omnistudy.errors import nearest
+from omnistudy.protocol.condition import Condition
 from omnistudy.protocol.protocol import Protocol
 from omnistudy.protocol.schedule import session_duration
 from omnistudy.worlds import World
@@ -99,7 +100,11 @@ def _routes(protocol: Protocol) -> Iterator[str]:
 
 def _drivable(protocol: Protocol) -> Iterator[str]:
     setups = [
-        (own.world or protocol.world, own.plant or protocol.plant) for own in protocol.conditions
+        (protocol.world, protocol.plant),
+        *(
+            (own.world or protocol.world, own.plant or protocol.plant)
+            for own in _sound_conditions(protocol)
+        ),
     ]
     for world, plant in {repr(setup): setup for setup in setups}.values():
         driven = tuple(route for route in world.routes if route.name in protocol.routes)
@@ -134,16 +139,21 @@ def _ethics(protocol: Protocol) -> Iterator[str]:
 
 
 def _worlds(protocol: Protocol) -> tuple[World, ...]:
-    own = [condition.world for condition in protocol.conditions if condition.world is not None]
+    own = [condition.world or protocol.world for condition in _sound_conditions(protocol)]
     return tuple({repr(world): world for world in (protocol.world, *own)}.values())
+
+
+def _sound_conditions(protocol: Protocol) -> tuple[Condition, ...]:
+    """Give the conditions, or none when they are faulty, so that the rest is looked at."""
+    return protocol.conditions if "conditions" in protocol.model_fields_set else ()
 
 
 CHECKS = (
     Check(("conditions",), _labels),
     Check(("factors", "conditions"), _levels),
     Check(("order", "conditions"), _order),
-    Check(("world", "conditions", "routes"), _routes),
-    Check(("world", "plant", "conditions", "routes"), _drivable),
+    Check(("world", "routes"), _routes),
+    Check(("world", "plant", "routes"), _drivable),
     Check(("participants",), _participants),
     Check(("site", "participants"), _ethics),
 )

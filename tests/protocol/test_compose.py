@@ -55,7 +55,9 @@ def test_another_kind_replaces_a_part_whole(component: Protocol) -> None:
 
 def test_the_labs_page_of_the_same_name_wins(lab: Path) -> None:
     (lab / "law").mkdir()
-    (lab / "law" / "component.yaml").write_text("kind: component\nstiffness: {x: 1, y: 2, theta: 3}")
+    (lab / "law" / "component.yaml").write_text(
+        "kind: component\nstiffness: {x: 1, y: 2, theta: 3}"
+    )
     protocol = compose_protocol("utah2017_component", lab=lab)
     assert tuple(law(protocol).stiffness.model_dump().values()) == (1.0, 2.0, 3.0)
     assert compose_protocol("utah2017_component") != protocol

@@ -52,9 +52,7 @@ def of_site(path: Path) -> bool:
 
 def test_the_text_is_canonical() -> None:
     text = COMPONENT.canonical_json
-    again = json.dumps(
-        json.loads(text), sort_keys=True, separators=(",", ":"), ensure_ascii=False
-    )
+    again = json.dumps(json.loads(text), sort_keys=True, separators=(",", ":"), ensure_ascii=False)
     assert text == again
     assert len(COMPONENT.design_hash) == len(COMPONENT.site_hash) == 64
 

@@ -62,7 +62,7 @@ def test_mending_a_text_redraws_nothing(component: Protocol) -> None:
 def test_routes_are_spread_evenly(routes: int, trials: int, slot: int, seed: int) -> None:
     names = [f"r{index}" for index in range(routes)]
     drawn = shuffled_routes(names, trials, slot, np.random.default_rng(seed))
-    counts = Counter({name: 0 for name in names}) + Counter(drawn)
+    counts = Counter(dict.fromkeys(names, 0)) + Counter(drawn)
     numbers = [counts[name] for name in names]
     assert len(drawn) == trials
     assert max(numbers) - min(numbers) <= 1
