@@ -10,7 +10,7 @@ import pybullet
 
 from omnistudy.channel import Channel
 from omnistudy.errors.plants import StartsInWall
-from omnistudy.geometry import PlanarPose, PlanarTwist, Scan
+from omnistudy.geometry import PlanarPose, PlanarTwist, Scan, wrapped
 from omnistudy.plants.bullet_scene import DOOR, ROBOT, STATIC, UPRIGHT, add_scene
 from omnistudy.plants.plant import RunningPlant
 from omnistudy.plants.youbot import Youbot
@@ -211,8 +211,8 @@ class RunningYoubot(RunningPlant):
                 wheels = wheels or point[3] > CHASSIS
                 if point[8] <= deepest:
                     deepest = point[8]
-                    ahead, left = self._pose.to_local(point[6][0], point[6][1])
-                    bearing = atan2(left, ahead)
+                    away_x, away_y, _ = point[7]
+                    bearing = wrapped(atan2(-away_y, -away_x) - self._pose.theta)
             elif uid in solids and solids[uid] not in others:
                 others = (*others, solids[uid])
         if not walls and self._touched:
