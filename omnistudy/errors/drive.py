@@ -34,6 +34,16 @@ class NotAColumn(OmnistudyError):
         )
 
 
+class NothingMapped(OmnistudyError):
+    """A recording without time, or without any command."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "a recording needs a column of time and at least one of x, y and theta: give "
+            "--column WHAT=NAME for what is 'none'"
+        )
+
+
 class NoCommonTime(OmnistudyError):
     """A recording and an odometry that do not overlap in time."""
 

@@ -111,6 +111,8 @@ def _rows(file: Path, columns: Sequence[str | None]) -> Iterator[tuple[int, list
         with file.open(encoding="utf-8-sig", newline="") as opened:
             reader = csv.reader(opened, skipinitialspace=True)
             heading = [name.strip() for name in next(reader, [])]
+            if not heading:
+                raise NoRecording(file, "it is empty")
             places = [_place(file, name, heading) for name in columns]
             for cells in reader:
                 if any(cells):

@@ -5,15 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from pydantic import ValidationError
-
 from omnistudy.channel import SAMPLE_COLUMNS, Recording
 from omnistudy.controllers import Controller
-from omnistudy.errors.drive import BrokenPart
+from omnistudy.errors.drive import NothingMapped
 from omnistudy.operators import Person
 from omnistudy.operators.command_log import Between
 from omnistudy.operators.recorded import RecordedOperator
-from omnistudy.registry.faults import explain
 from omnistudy.session.odometry import Comparison, Odometry, compare
 from omnistudy.session.parts import part
 from omnistudy.trial import TrialSpec, run_trial
@@ -62,21 +59,19 @@ def recorded_twists(
 ) -> RecordedOperator:
     """Give the person who drives logged twists again; columns are those of time, x, y and theta.
 
-    Raises BrokenPart when no axis has a column.
+    Raises NothingMapped when time or every axis is without a column.
     """
     time, *axes = columns
-    values = {
-        "file": file,
-        "time": time,
-        "axes": axes,
-        "between": between,
-        "longest_gap": longest_gap,
-        "cut_idle": cut_idle,
-    }
-    try:
-        return RecordedOperator.model_validate(values)
-    except ValidationError as error:
-        raise BrokenPart(explain(error, RecordedOperator, values, "the recording")) from error
+    if time is None or not any(axes):
+        raise NothingMapped
+    return RecordedOperator(
+        file=file,
+        time=time,
+        axes=tuple(axes),
+        between=between,
+        longest_gap=longest_gap,
+        cut_idle=cut_idle,
+    )
 
 
 def replay(
