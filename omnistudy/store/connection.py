@@ -81,11 +81,7 @@ def _prepared(database: sqlite3.Connection, *statements: str) -> sqlite3.Connect
 def _engine(connect: Callable[[], sqlite3.Connection], begin: str) -> Engine:
     engine = create_engine("sqlite://", creator=connect, poolclass=NullPool)
 
-    # Python's sqlite3 opens transactions late and not around changes of tables; we say BEGIN.
-    @event.listens_for(engine, "connect")
-    def no_hidden_transactions(database: sqlite3.Connection, _record: object) -> None:
-        database.isolation_level = None
-
+    # Left alone, Python's sqlite3 begins late, and not around reading or changes of tables.
     @event.listens_for(engine, "begin")
     def say_begin(connection: Connection) -> None:
         connection.exec_driver_sql(begin)

@@ -21,7 +21,6 @@ def sole_writer(path: Path) -> Iterator[None]:
     """
     lock = path.with_name(path.name + "-lock")
     with in_plain_words(path), closing(sqlite3.connect(lock, timeout=0)) as held:
-        held.isolation_level = None
         held.execute("BEGIN EXCLUSIVE")
         if not lock.exists():  # its last holder was about to take it away
             raise StudyBusy(path)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import isnan
 from typing import Any
 
 import numpy as np
@@ -25,11 +24,6 @@ from omnistudy.store.tables import (
 )
 
 
-def null_for_nan(number: float) -> float | None:
-    """Give None, which SQL stores as NULL, for NaN."""
-    return None if isnan(number) else float(number)
-
-
 def inserted_id(inserted: CursorResult[Any]) -> int:
     """Give the id of the row that was just inserted."""
     key = inserted.inserted_primary_key
@@ -47,7 +41,7 @@ def insert_events(connection: Connection, trial_id: int, events: Sequence[Event]
 
 
 def insert_samples(connection: Connection, trial_id: int, samples: NDArray[np.float64]) -> None:
-    """Write (n, 13) samples, columns SAMPLE_COLUMNS; NaN becomes NULL.
+    """Write (n, 13) samples, columns SAMPLE_COLUMNS; SQLite itself turns NaN into NULL.
 
     Raises ValueError for another shape.
     """
@@ -55,13 +49,11 @@ def insert_samples(connection: Connection, trial_id: int, samples: NDArray[np.fl
         raise ValueError(f"samples have shape {samples.shape}, not (n, {len(SAMPLE_COLUMNS)})")
     if not len(samples):
         return
-    rows = samples.astype(object)
-    rows[np.isnan(samples)] = None
     connection.execute(
         insert(SampleRow),
         [
             {"trial_id": trial_id, **dict(zip(SAMPLE_COLUMNS, row, strict=True))}
-            for row in rows.tolist()
+            for row in samples.tolist()
         ],
     )
 

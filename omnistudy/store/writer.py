@@ -37,7 +37,6 @@ from omnistudy.store.rows import (
     insert_samples,
     insert_streams,
     inserted_id,
-    null_for_nan,
     stored_study,
     stored_trials,
 )
@@ -241,19 +240,7 @@ class StudyWriter:
             insert_events(self.connection, trial_id, events)
             insert_samples(self.connection, trial_id, samples)
             insert_streams(self.connection, trial_id, streams)
-            self._update_trial(
-                trial_id,
-                {
-                    "status": outcome.status,
-                    "reason": outcome.reason,
-                    "duration_s": null_for_nan(outcome.duration_s),
-                    "path_length_m": null_for_nan(outcome.path_length_m),
-                    "collisions": outcome.collisions,
-                    "collisions_legacy": outcome.collisions_legacy,
-                    "contact_time_s": null_for_nan(outcome.contact_time_s),
-                    "finished_at": _now(),
-                },
-            )
+            self._update_trial(trial_id, asdict(outcome) | {"finished_at": _now()})
 
     def add_attempt(self, trial_id: int, seed: str, reason: str) -> int:
         """Plan the next attempt at a void or aborted trial, in its place; gives the new id.

@@ -76,6 +76,14 @@ def test_other_files_are_damaged(tmp_path: Path) -> None:
         open_study(path)
 
 
+def test_a_spoilt_first_page_is_noticed_at_once(driven: Path) -> None:
+    whole = driven.read_bytes()
+    driven.write_bytes(whole[:100] + b"\xff" * 3000 + whole[3100:])
+    for opened in (open_study, StudyWriter.open):
+        with pytest.raises(DatabaseDamaged):
+            opened(driven)
+
+
 def test_spoilt_pages_are_noticed_when_read(driven: Path) -> None:
     whole = bytearray(driven.read_bytes())
     for page in range(2, pages_of(driven)):

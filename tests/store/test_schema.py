@@ -16,6 +16,7 @@ from alembic.script import ScriptDirectory
 
 import omnistudy
 from omnistudy.errors.store import (
+    DatabaseDamaged,
     DatabaseTooNew,
     DatabaseTooOld,
     NotAStudy,
@@ -35,9 +36,9 @@ down_revision = {newest!r}
 
 
 def upgrade():
-    op.add_column("participant", sa.Column("handedness", sa.Text()))
-    with op.batch_alter_table("event", recreate="always") as batch:
-        batch.add_column(sa.Column("noticed_at", sa.Text()))
+    op.add_column("event", sa.Column("noticed_by", sa.Text()))
+    with op.batch_alter_table("participant", recreate="always") as batch:
+        batch.add_column(sa.Column("handedness", sa.Text()))
 {ending}
 """
 
@@ -96,6 +97,16 @@ def test_migrations_lead_to_the_tables_in_the_code(tmp_path: Path) -> None:
     assert migrated == declared
     assert migrated["sample"]["options"] == {"sqlite_with_rowid": False}
     assert any("ck_trial_status" in check for check in migrated["trial"]["checks"])
+
+
+def test_a_broken_file_is_not_upgraded(study: Path, next_omnistudy: Any) -> None:
+    with changed(study) as database:
+        database.execute("UPDATE session SET participant_id = participant_id + 98")
+    next_omnistudy()
+    with pytest.raises(DatabaseDamaged, match="rows that are not there"):
+        upgrade_study(study)
+    with pytest.raises(DatabaseTooOld):
+        open_study(study)
 
 
 def test_every_constraint_has_a_name() -> None:

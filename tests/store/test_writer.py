@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import hashlib
 import sqlite3
 from collections.abc import Callable
 from datetime import UTC, datetime, timedelta
@@ -60,6 +61,19 @@ def test_a_path_that_is_taken_is_left_alone(tmp_path: Path, new_study: NewStudy)
     with pytest.raises(StudyExists, match="never overwritten"), StudyWriter.create(path, new_study):
         pass
     assert path.read_text() == "precious"
+
+
+def test_a_file_that_appears_meanwhile_is_left_alone(tmp_path: Path, new_study: NewStudy) -> None:
+    path = tmp_path / "mine.db"
+
+    def create() -> None:
+        with StudyWriter.create(path, new_study):
+            path.write_text("precious")
+
+    with pytest.raises(StudyExists):
+        create()
+    assert path.read_text() == "precious"
+    assert [entry.name for entry in tmp_path.iterdir()] == ["mine.db"]
 
 
 def test_creation_is_whole_or_not_at_all(tmp_path: Path, new_study: NewStudy) -> None:
@@ -285,6 +299,8 @@ def test_same_results_give_the_same_samples(
                 finish(writer, trial)
     assert rows(one, "SELECT * FROM sample") == rows(two, "SELECT * FROM sample")
     assert sample_digest(one) == sample_digest(two)
+    ordered = np.array(rows(one, "SELECT * FROM sample ORDER BY trial_id, t"), dtype="<f8")
+    assert sample_digest(one) == hashlib.sha256(ordered).hexdigest()
     with StudyWriter.open(two) as writer:
         finish(writer, 5)
     assert sample_digest(one) != sample_digest(two)
