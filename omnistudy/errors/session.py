@@ -31,3 +31,13 @@ class NoFreeCondition(OmnistudyError):
             f"protocol '{protocol}' has no condition with the law 'none': a driver is calibrated "
             "on no-feedback trials alone, so give a protocol with one"
         )
+
+
+class CannotCalibrate(OmnistudyError):
+    """A target that no skill reaches."""
+
+    def __init__(self, target: float, reached: float, skill: float) -> None:
+        super().__init__(
+            f"{target:g} collisions a trial are out of reach: the response measured gives "
+            f"{reached:.1f} at skill {skill:g}; measure it at higher skills, or check the target"
+        )
