@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from sqlalchemy import Connection, Executable, select
 
-from omnistudy.channel import SAMPLE_CHANNELS
+from omnistudy.channel import Channel
 from omnistudy.store.tables import (
     ConditionLevelRow,
     ConditionRow,
@@ -18,6 +18,8 @@ from omnistudy.store.tables import (
 )
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
     from pandas import DataFrame
 
 UNITS: Mapping[str, str] = {
@@ -28,7 +30,7 @@ UNITS: Mapping[str, str] = {
     "collisions": "1",
     "collisions_legacy": "1",
     "rate_hz": "Hz",
-} | {channel.name: channel.unit for channel in SAMPLE_CHANNELS}
+}
 """Unit of every column that has one."""
 
 NUMBERS = ("duration_s", "path_length_m", "collisions", "collisions_legacy", "contact_time_s")
@@ -38,10 +40,8 @@ MOMENTS = ("started_at", "finished_at")
 """Columns of moments in UTC, NaT until they have come."""
 
 
-def frame(
-    columns: Iterable[str], rows: Iterable[Any], units: Mapping[str, str] = UNITS
-) -> DataFrame:
-    """Make a frame whose attrs name the units of those columns that have one."""
+def frame(columns: Iterable[str], rows: Iterable[Any]) -> DataFrame:
+    """Make a frame of rows whose columns have the names and units of the database."""
     from pandas import DataFrame, to_datetime
 
     made = DataFrame.from_records([tuple(row) for row in rows], columns=list(columns))
@@ -49,7 +49,19 @@ def frame(
         made[name] = made[name].astype("float64")
     for name in made.columns.intersection(list(MOMENTS)):
         made[name] = to_datetime(made[name], utc=True)
-    made.attrs["units"] = {name: units[name] for name in made.columns if name in units}
+    made.attrs["units"] = {name: UNITS[name] for name in made.columns if name in UNITS}
+    return made
+
+
+def channel_frame(
+    times: NDArray[np.float64], channels: Sequence[Channel], values: NDArray[np.float64]
+) -> DataFrame:
+    """Make a frame of t in s (n,) and (n, channels) recorded values."""
+    from pandas import DataFrame
+
+    made = DataFrame(values, columns=[channel.name for channel in channels])
+    made.insert(0, "t", times)
+    made.attrs["units"] = {"t": "s"} | {channel.name: channel.unit for channel in channels}
     return made
 
 

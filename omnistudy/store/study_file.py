@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Self
 import numpy as np
 from sqlalchemy import Connection, func, select
 
-from omnistudy.channel import SAMPLE_COLUMNS, Stream
+from omnistudy.channel import SAMPLE_CHANNELS, SAMPLE_COLUMNS, Stream
 from omnistudy.errors.store import DatabaseDamaged, NoSuchStream, NoSuchTrial
 from omnistudy.store import frames
 from omnistudy.store.chunks import Chunk, channels_from, unpack
@@ -122,7 +122,8 @@ class StudyFile:
 
     def samples(self, trial: int) -> DataFrame:
         """Give one row a sample of a trial, columns SAMPLE_COLUMNS; raises NoSuchTrial."""
-        return frames.frame(SAMPLE_COLUMNS, self.sample_array(trial))
+        samples = self.sample_array(trial)
+        return frames.channel_frame(samples[:, 0], SAMPLE_CHANNELS, samples[:, 1:])
 
     def sample_array(self, trial: int) -> NDArray[np.float64]:
         """Give (n, 13) float64, columns SAMPLE_COLUMNS, NaN for NULL; raises NoSuchTrial."""
@@ -168,9 +169,7 @@ class StudyFile:
         """
         stream = self.stream_record(trial, name)
         times = np.arange(len(stream.data)) / stream.rate_hz
-        names = ("t", *(channel.name for channel in stream.channels))
-        units = {"t": "s"} | {channel.name: channel.unit for channel in stream.channels}
-        return frames.frame(names, np.column_stack([times, stream.data]), units)
+        return frames.channel_frame(times, stream.channels, stream.data)
 
     def stream_record(self, trial: int, name: str) -> Stream:
         """Give a stream as it was recorded, to simulate the trial again; raises as `stream`."""
