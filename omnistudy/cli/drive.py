@@ -168,7 +168,7 @@ def worlds(
 ) -> None:
     """Let the virtual driver drive worlds along their first routes, with and without feedback.
 
-    Not reached within 3 x path length / 0.36 m/s: stuck when it got no further, else out of time.
+    Who does not reach the end within 3 x route length / 0.36 m/s is stuck, and it is told where.
 
     Example: omnistudy drive worlds primitive_a primitive_b --law component --law none
     """
@@ -218,22 +218,23 @@ def _drive(
 def _print_drives(drives: tuple[Drive, ...]) -> None:
     columns = (
         "world", "law", "outcome", "time s", "limit s", "collisions", "legacy", "contact s",
-        "driven m", "route m", "ended at m",
+        "driven m", "route m", "got to m",
     )  # fmt: skip
     rows = [
         (
             drive.world, drive.law, drive.outcome, f"{drive.time_s:.1f}", f"{drive.limit_s:.0f}",
             drive.collisions, drive.collisions_legacy, f"{drive.contact_time_s:.1f}",
             f"{drive.path_length_m:.2f}", f"{drive.route_length_m:.2f}",
-            f"({drive.x:.2f}, {drive.y:.2f})",
+            f"{drive.along_m:.2f}",
         )
         for drive in drives
     ]  # fmt: skip
     print_table("virtual driver", columns, rows)
     for drive in drives:
-        if drive.stuck_since_s is not None:
+        if drive.outcome == "stuck":
             touched = f", last against {drive.wall}" if drive.wall else ""
             print_line(
-                f"{drive.world} under {drive.law}: stuck at x = {drive.x:.2f} m, "
-                f"y = {drive.y:.2f} m since {drive.stuck_since_s:.0f} s{touched}"
+                f"{drive.world} under {drive.law}: stuck {drive.along_m:.2f} m along the route at "
+                f"x = {drive.x:.2f} m, y = {drive.y:.2f} m, no further after "
+                f"{drive.along_at_s:.0f} s{touched}"
             )

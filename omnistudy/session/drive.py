@@ -7,10 +7,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-import numpy as np
-
 from omnistudy.channel import Recording
 from omnistudy.operators import Person
+from omnistudy.operators.way import Way
 from omnistudy.seeds import seed_text
 from omnistudy.session.parts import part
 from omnistudy.session.workers import run_all
@@ -21,23 +20,18 @@ from omnistudy.worlds import World
 TASK = RouteTask()
 """Ends at the end of the route, or after 3 times its length at 0.36 m/s."""
 
-STUCK_RADIUS = 0.5
-"""m; who stays within this of where the time ran out, got no further (ours)."""
-STUCK_TIME = 10.0
-"""s; for at least this long (ours)."""
-
-Outcome = Literal["reached", "stuck", "out of time"]
+Outcome = Literal["reached", "stuck"]
 
 
 @dataclass(frozen=True, slots=True)
 class Drive:
     """One drive of the virtual driver through a world along one of its routes.
 
-    outcome : reached the end of the route, or not within the time limit; then stuck when the
-        robot got no further for the last seconds, else out of time.
+    outcome : reached the end of the route within the time limit, or stuck on the way.
     time_s, limit_s : from the first command to the end; what was allowed.
-    stuck_since_s : s since the first command from which it stayed where it was; None unless stuck.
-    x, y : where the drive ended, m.
+    along_m : how far along the route it ever got.
+    along_at_s : when it got so far, s since the first command.
+    x, y : where it then was, m.
     wall : the wall of the last collision, "" without one.
     """
 
@@ -52,9 +46,10 @@ class Drive:
     contact_time_s: float
     path_length_m: float
     route_length_m: float
+    along_m: float
+    along_at_s: float
     x: float
     y: float
-    stuck_since_s: float | None
     wall: str
 
 
@@ -100,21 +95,15 @@ def _spec(world: World, law: str, seed: int, lab: Path | None) -> TrialSpec:
 
 
 def _drive(spec: TrialSpec, result: TrialResult) -> Drive:
-    samples = result.samples
-    x, y = float(samples[-1, 1]), float(samples[-1, 2])
+    row, along = _furthest(spec, result)
     began = next((event.t for event in result.events if event.kind == "start"), 0.0)
-    away = np.hypot(samples[:, 1] - x, samples[:, 2] - y) > STUCK_RADIUS
-    since = float(samples[int(np.flatnonzero(away)[-1]), 0]) if away.any() else 0.0
-    stuck = result.status != "completed" and samples[-1, 0] - since >= STUCK_TIME
     walls = [event.detail for event in result.events if event.kind == "collision"]
     route = spec.world.route(spec.route)
     return Drive(
         world=spec.world.name,
         route=route.name,
         law=spec.law.kind,
-        outcome="reached"
-        if result.status == "completed"
-        else ("stuck" if stuck else "out of time"),
+        outcome="reached" if result.status == "completed" else "stuck",
         time_s=result.duration_s,
         limit_s=TASK.limit(spec.world, spec.route),
         collisions=result.collisions,
@@ -122,8 +111,25 @@ def _drive(spec: TrialSpec, result: TrialResult) -> Drive:
         contact_time_s=result.contact_time_s,
         path_length_m=result.path_length_m,
         route_length_m=route.length,
-        x=x,
-        y=y,
-        stuck_since_s=since - began if stuck else None,
+        along_m=along,
+        along_at_s=max(0.0, float(result.samples[row, 0]) - began),
+        x=float(result.samples[row, 1]),
+        y=float(result.samples[row, 2]),
         wall=walls[-1] if walls else "",
     )
+
+
+def _furthest(spec: TrialSpec, result: TrialResult) -> tuple[int, float]:
+    """Give the row of the samples at which the robot had got furthest, and how far, m."""
+    legs = list(spec.world.route(spec.route).legs)
+    arrivals = [event.t for event in result.events if event.kind in ("block", "finish")]
+    best, behind, way = (0, 0.0), 0.0, Way(legs.pop(0))
+    for row, (t, x, y) in enumerate(result.samples[:, :3].tolist()):
+        if legs and arrivals and t >= arrivals[0]:
+            arrivals.pop(0)
+            behind += way.length
+            way = Way(legs.pop(0))
+        along = behind + way.find(x, y)
+        if along > best[1]:
+            best = row, along
+    return best
