@@ -91,7 +91,7 @@ def test_migrations_lead_to_the_tables_in_the_code(tmp_path: Path) -> None:
     with writing_engine(tmp_path / "migrated.db").begin() as connection:
         migrate(connection)
         migrated = described(connection)
-    with sa.create_engine("sqlite://").begin() as connection:
+    with sa.create_engine("sqlite://", poolclass=sa.NullPool).begin() as connection:
         Base.metadata.create_all(connection)
         declared = described(connection)
     assert migrated == declared
