@@ -33,8 +33,9 @@ quick: $(INSTALLED)  ## Check in under two minutes: leaves out slow tests
 bench: $(INSTALLED)  ## Measure speed and memory; prints JSON
 	@$(BIN)/python benchmarks/run.py
 
-reference: $(INSTALLED)  ## Renew docs/reference/command-line.md from the commands' help
+reference: $(INSTALLED)  ## Renew docs/reference from the commands' help and the models
 	$(BIN)/python docs/make_reference.py
+	$(BIN)/python docs/make_protocol_reference.py
 
 lock: $(INSTALLED)  ## Renew requirements.lock on purpose
 	$(BIN)/pip install --quiet uv

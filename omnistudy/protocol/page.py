@@ -46,6 +46,8 @@ def composed(
         raise ProtocolFaults(name, [_first_line(fault)]) from fault
     except YAMLError as fault:
         raise ProtocolFaults(name, [_not_yaml(fault)]) from fault
+    except (OSError, UnicodeDecodeError) as fault:
+        raise ProtocolFaults(name, [f"cannot be read as text: {_first_line(fault)}"]) from fault
     except UserWarning as fault:
         raise ProtocolFaults(
             name, ["defaults: the last line of the list must be '- _self_', so that the page wins"]
@@ -67,7 +69,8 @@ def _set_or_add(text: str, groups: Sequence[str]) -> str:
     """Hydra refuses to set what no page wrote; here defaults stand in the models, so it must."""
     (override,) = OverridesParser.create().parse_overrides([text])
     plain = not (override.is_add() or override.is_force_add() or override.is_delete())
-    return f"++{text}" if plain and override.key_or_group not in groups else text
+    chooses = override.key_or_group in groups and isinstance(override.value(), str)
+    return f"++{text}" if plain and not chooses else text
 
 
 def _missing_page(fault: MissingConfigException) -> str:

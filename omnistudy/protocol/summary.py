@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import NamedTuple, get_args
 
 from pydantic import BaseModel, WithJsonSchema
 from pydantic.fields import FieldInfo
@@ -60,10 +60,22 @@ def parts_of(protocol: Protocol) -> Iterator[tuple[str, BaseModel]]:
 
 def unit_of(field: FieldInfo) -> str:
     """Give the unit of a field, "" for what has none."""
-    for item in field.metadata:
+    for item in metadata_of(field):
         if isinstance(item, WithJsonSchema) and item.json_schema is not None:
             return str(item.json_schema.get("unit", ""))
     return ""
+
+
+def metadata_of(field: FieldInfo) -> Iterator[object]:
+    """Give what is annotated to a field, inside `... | None` too."""
+    yield from field.metadata
+    yield from _annotated(field.annotation)
+
+
+def _annotated(annotation: object) -> Iterator[object]:
+    yield from getattr(annotation, "__metadata__", ())
+    for part in get_args(annotation):
+        yield from _annotated(part)
 
 
 def _settings(part: BaseModel, prefix: str) -> Iterator[Setting]:

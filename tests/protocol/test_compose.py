@@ -53,6 +53,18 @@ def test_another_kind_replaces_a_part_whole(component: Protocol) -> None:
     assert component.setup_for("none").law == NoLaw()
 
 
+def test_a_mapping_for_a_group_is_laid_over_its_page() -> None:
+    protocol = compose_protocol("utah2017_component", ["law={compliance_centre: 0.3}"])
+    assert law(protocol).compliance_centre == 0.3
+
+
+def test_a_file_that_is_no_text_is_one_sentence(lab: Path) -> None:
+    page = lab / "page.yaml"
+    page.write_bytes(b"name: \xff\xfe")
+    with pytest.raises(ProtocolFaults, match="cannot be read as text"):
+        compose_protocol(page)
+
+
 def test_the_labs_page_of_the_same_name_wins(lab: Path) -> None:
     (lab / "law").mkdir()
     (lab / "law" / "component.yaml").write_text(
