@@ -5,8 +5,7 @@ from __future__ import annotations
 from math import cos, hypot, sin
 from typing import NamedTuple
 
-import pybullet
-
+from omnistudy.plants.bullet import pybullet
 from omnistudy.scene import Body, Box, Scene
 
 ROBOT, STATIC, DOOR = 1, 2, 4

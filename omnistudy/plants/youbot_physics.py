@@ -6,11 +6,11 @@ from math import atan2, cos, hypot, nan, pi, sin
 from typing import Any
 
 import numpy as np
-import pybullet
 
 from omnistudy.channel import Channel
 from omnistudy.errors.plants import StartsInWall
 from omnistudy.geometry import PlanarPose, PlanarTwist, Scan, wrapped
+from omnistudy.plants.bullet import pybullet
 from omnistudy.plants.bullet_scene import DOOR, ROBOT, STATIC, UPRIGHT, add_scene
 from omnistudy.plants.plant import RunningPlant
 from omnistudy.plants.youbot import Youbot
