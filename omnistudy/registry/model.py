@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Mapping
+from typing import Any, Self
 
 from pydantic import BaseModel, ConfigDict, PlainValidator
 from pydantic_core import PydanticCustomError
@@ -17,6 +18,15 @@ class Model(BaseModel):
     model_config = ConfigDict(
         extra="forbid", frozen=True, use_attribute_docstrings=True, validate_default=True
     )
+
+    def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
+        """Give a copy with some fields changed; raises ValidationError.
+
+        Unlike pydantic's own, the copy is validated, and forgets what cached properties remember.
+        """
+        source = super().model_copy(deep=deep)
+        given = {name: getattr(source, name) for name in self.model_fields_set}
+        return type(self).model_validate({**given, **(update or {})})
 
 
 class KindModel(Model):
