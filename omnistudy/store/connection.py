@@ -94,13 +94,8 @@ def in_plain_words(path: Path) -> Iterator[None]:
     """Turn SQLite's complaints about a file into StoreFull, StudyBusy, DatabaseDamaged, ..."""
     try:
         yield
-    except DBAPIError as error:
-        meaning = _meaning(path, error.orig)
-        if meaning is None:
-            raise
-        raise meaning from error
-    except sqlite3.Error as error:
-        meaning = _meaning(path, error)
+    except (DBAPIError, sqlite3.Error) as error:
+        meaning = _meaning(path, error.orig if isinstance(error, DBAPIError) else error)
         if meaning is None:
             raise
         raise meaning from error

@@ -89,7 +89,10 @@ class StudyFile:
 
     @contextmanager
     def reading(self) -> Iterator[Connection]:
-        """Give the connection for queries of one's own, all of them at the same instant."""
+        """Give the connection; all that is read inside the block is of the same instant."""
+        if self.connection.in_transaction():
+            yield self.connection
+            return
         with in_plain_words(self.path), self.connection.begin():
             yield self.connection
 

@@ -203,6 +203,15 @@ def test_a_reader_sees_what_is_written_meanwhile(study: Path, finish: FinishTria
         assert len(opened.events()) == 6
 
 
+def test_one_instant_is_read_as_a_whole(study: Path, finish: FinishTrial) -> None:
+    with omnistudy.open(study) as opened, StudyWriter.open(study) as writer:
+        with opened.reading():
+            assert len(opened.events()) == 0
+            finish(writer, 1)
+            assert len(opened.events()) == 0
+        assert len(opened.events()) == 3
+
+
 def test_virtual_people_are_visible_to_a_database_browser(driven: Path) -> None:
     with omnistudy.open(driven) as study, study.reading() as connection:
         overview = pd.DataFrame(
