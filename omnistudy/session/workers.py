@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 from collections import deque
 from collections.abc import Iterable, Iterator
 from concurrent.futures import Future, ProcessPoolExecutor
@@ -22,7 +23,13 @@ def run_all(specs: Iterable[TrialSpec], workers: int) -> Iterator[TrialResult]:
         yield from map(run_trial, specs)
         return
     waiting: deque[Future[TrialResult]] = deque()
-    with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as pool:
+    with ProcessPoolExecutor(
+        workers,
+        mp_context=get_context("spawn"),
+        # Ctrl-C reaches workers too: they end at once, instead of reporting it and going on.
+        initializer=signal.signal,
+        initargs=(signal.SIGINT, signal.SIG_DFL),
+    ) as pool:
         try:
             for spec in specs:
                 waiting.append(pool.submit(run_trial, spec))
