@@ -48,51 +48,63 @@ Workers = Annotated[
 ]
 
 
+Commands = Annotated[Path, typer.Argument(help="CSV of logged twists, columns named.")]
+OdometryFile = Annotated[
+    Path | None, typer.Option(help="CSV of where that robot was, to compare with.")
+]
+WorldName = Annotated[str, typer.Option(help="World, by name or file; none is an empty floor.")]
+Controllers = Annotated[
+    list[str],
+    typer.Option(
+        help="direct drives what was asked; differential what the two wheels of a TurtleBot3 "
+        "Burger make of it. May be repeated."
+    ),
+]
+Columns = Annotated[
+    list[str] | None,
+    typer.Option(
+        metavar="WHAT=NAME",
+        help="Column of time, x, y or theta in the commands (else time, v, none, omega).",
+    ),
+]
+OdometryColumns = Annotated[
+    list[str] | None,
+    typer.Option(
+        metavar="WHAT=NAME",
+        help="Column of time, x, y, yaw, v or omega in the odometry (else of these names).",
+    ),
+]
+Linear = Annotated[
+    bool, typer.Option("--linear", help="Join rows by lines; else a row holds until the next.")
+]
+LongestGap = Annotated[
+    float | None, typer.Option(min=0.001, help="Seconds after which a command counts no more.")
+]
+KeepIdle = Annotated[
+    bool, typer.Option("--keep-idle", help="Keep what is at rest before and after the drive.")
+]
+Measured = Annotated[
+    bool, typer.Option("--measured", help="Also drive what the odometry measured as v and omega.")
+]
+
+
 @app.command()
 def replay(
-    commands: Annotated[Path, typer.Argument(help="CSV of logged twists, columns named.")],
-    odometry: Annotated[
-        Path | None, typer.Option(help="CSV of where that robot was, to compare with.")
-    ] = None,
-    world: Annotated[
-        str, typer.Option(help="World, by name or file; none is an empty floor.")
-    ] = "none",
-    controller: Annotated[
-        list[str],
-        typer.Option(
-            help="direct drives what was asked; differential what the two wheels of a TurtleBot3 "
-            "Burger make of it. May be repeated."
-        ),
-    ] = CONTROLLERS,
-    column: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="WHAT=NAME",
-            help="Column of time, x, y or theta in the commands (else time, v, none, omega).",
-        ),
-    ] = None,
-    odometry_column: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="WHAT=NAME",
-            help="Column of time, x, y or yaw in the odometry (else of these names).",
-        ),
-    ] = None,
-    linear: Annotated[
-        bool, typer.Option("--linear", help="Join rows by lines; else a row holds until the next.")
-    ] = False,
-    longest_gap: Annotated[
-        float | None,
-        typer.Option(min=0.001, help="Seconds after which a command counts no more."),
-    ] = None,
-    keep_idle: Annotated[
-        bool, typer.Option("--keep-idle", help="Keep what is at rest before and after the drive.")
-    ] = False,
+    commands: Commands,
+    odometry: OdometryFile = None,
+    world: WorldName = "none",
+    controller: Controllers = CONTROLLERS,
+    column: Columns = None,
+    odometry_column: OdometryColumns = None,
+    linear: Linear = False,
+    longest_gap: LongestGap = None,
+    keep_idle: KeepIdle = False,
+    measured: Measured = False,
     as_json: AsJson = False,
 ) -> None:
     """Drive a person's recorded commands again and tell how far that ends from the odometry.
 
-    Example: omnistudy drive replay twist_cmd_vel.csv --odometry odom.csv
+    Example: omnistudy drive replay twist_cmd_vel.csv --odometry odom.csv --measured
     """
     from omnistudy.session.columns import mapped
     from omnistudy.session.odometry import read_odometry
@@ -107,42 +119,43 @@ def replay(
         longest_gap=longest_gap,
         cut_idle=not keep_idle,
     )
-    names = mapped(odometry_column or (), {"time": "time", "x": "x", "y": "y", "yaw": "yaw"})
-    own = read_odometry(odometry, *map(str, names)) if odometry else None
+    names = {name: name for name in ("time", "x", "y", "yaw", "v", "omega")}
+    time, x, y, yaw, v, omega = mapped(odometry_column or (), names)
+    own = read_odometry(odometry, (time, x, y, yaw)) if odometry else None
+    drives = [(operator, name) for name in controller]
+    if odometry and measured:
+        drives.append((recorded_twists(odometry, (time, v, None, omega)), "direct"))
     floor = EMPTY_FLOOR if world == "none" else load_world(world)
-    with progress("drives", len(controller)) as advance:
-        replays = []
-        for name in controller:
-            replays.append(drive_again(operator, name, floor, own))
+    replays = []
+    with progress("drives", len(drives)) as advance:
+        for recording, name in drives:
+            replays.append(drive_again(recording, name, floor, own))
             advance()
     if as_json:
         print_json(replays)
     else:
-        _print_replays(commands, replays)
+        _print_replays(replays)
 
 
-def _print_replays(commands: Path, replays: list[Replay]) -> None:
-    columns = ["controller", "driven s", "path m", "turned rad", "collisions"]
-    compared = [
-        "odometry m", "odometry rad", "end error m", "of path %", "heading error rad", "largest m",
-        "at s",
-    ]  # fmt: skip
+def _print_replays(replays: list[Replay]) -> None:
+    columns = ["recording", "controller", "s", "path m", "hits"]
+    compared = ["own path m", "end error m", "% of path", "heading rad", "largest m"]
     rows = []
     for done in replays:
         row: list[object] = [
-            done.controller, f"{done.duration_s:.1f}", f"{done.path_length_m:.2f}",
-            f"{done.turned_rad:+.2f}", done.collisions,
+            done.file.name, done.controller, f"{done.duration_s:.1f}",
+            f"{done.path_length_m:.2f}", done.collisions,
         ]  # fmt: skip
         own = done.odometry
         if own is not None:
             row += [
-                f"{own.path_length_m:.2f}", f"{own.turned_rad:+.2f}", f"{own.end_error_m:.2f}",
+                f"{own.path_length_m:.2f}", f"{own.end_error_m:.2f}",
                 f"{100 * own.end_error_share:.1f}", f"{own.heading_error_rad:+.2f}",
-                f"{own.largest_error_m:.2f}", f"{own.largest_error_at_s:.1f}",
+                f"{own.largest_error_m:.2f}",
             ]  # fmt: skip
         rows.append(row)
-    has_odometry = replays[0].odometry is not None
-    print_table(f"{commands} in {replays[0].world}", columns + compared * has_odometry, rows)
+    title = f"{replays[0].file.parent} in {replays[0].world}"
+    print_table(title, columns + compared * (replays[0].odometry is not None), rows)
     for done in replays:
         own = done.odometry
         if (

@@ -35,12 +35,11 @@ class NotAColumn(OmnistudyError):
 
 
 class NothingMapped(OmnistudyError):
-    """A recording without time, or without any command."""
+    """A file that lacks a column without which it says nothing."""
 
-    def __init__(self) -> None:
+    def __init__(self, what: str, needed: str, option: str) -> None:
         super().__init__(
-            "a recording needs a column of time and at least one of x, y and theta: give "
-            "--column WHAT=NAME for what is 'none'"
+            f"{what} needs columns for {needed}: give {option} WHAT=NAME for what is 'none'"
         )
 
 

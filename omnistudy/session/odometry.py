@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from omnistudy.errors.drive import NoCommonTime
+from omnistudy.errors.drive import NoCommonTime, NothingMapped
 from omnistudy.geometry import PlanarPose, wrapped
 from omnistudy.metrics import path_length
 from omnistudy.operators.command_log import read_log
@@ -55,10 +56,16 @@ class Comparison:
 
 
 def read_odometry(
-    file: Path, time: str = "time", x: str = "x", y: str = "y", yaw: str = "yaw"
+    file: Path, columns: Sequence[str | None] = ("time", "x", "y", "yaw")
 ) -> Odometry:
-    """Read an odometry from CSV, columns by name; raises what `read_log` raises."""
-    log = read_log(file, time, (x, y, yaw))
+    """Read an odometry from CSV; columns are those of time, x, y and yaw.
+
+    Raises NothingMapped when one is None, and what `read_log` raises.
+    """
+    time, *axes = columns
+    if time is None or None in axes:
+        raise NothingMapped("an odometry", "time, x, y and yaw", "--odometry-column")
+    log = read_log(file, time, axes)
     poses = log.values.copy()
     poses[:, 2] = np.unwrap(poses[:, 2])
     return Odometry(file, log.times, poses)

@@ -33,12 +33,14 @@ POSE = tuple(SAMPLE_COLUMNS.index(name) for name in ("x", "y", "theta"))
 class Replay:
     """How a recorded drive went in simulation.
 
+    file : the recording that was driven.
     duration_s : of the recording as it was driven, its idle parts cut.
     path_length_m, turned_rad : what the simulated robot drove and turned, left turns positive.
     end : x, y in m and heading in rad, seen from where it started.
     odometry : None when there was none to compare with.
     """
 
+    file: Path
     controller: str
     world: str
     duration_s: float
@@ -63,7 +65,7 @@ def recorded_twists(
     """
     time, *axes = columns
     if time is None or not any(axes):
-        raise NothingMapped
+        raise NothingMapped("a recording", "time and one of x, y and theta", "--column")
     return RecordedOperator(
         file=file,
         time=time,
@@ -108,6 +110,7 @@ def replay(
     start = world.start.pose
     x, y, theta = (float(value) for value in poses[-1])
     return Replay(
+        file=operator.file,
         controller=controller,
         world=world.name,
         duration_s=float(samples[-1, 0]),
