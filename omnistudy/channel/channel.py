@@ -4,8 +4,13 @@ from typing import NamedTuple
 
 
 class Channel(NamedTuple):
-    """One recorded quantity: `name` (unique within a trial), SI `unit`, one line of meaning."""
+    """One recorded quantity: `name` (unique within a trial), SI `unit`, one line of meaning.
+
+    resolution : step in which a sensor tells it, such as one encoder count; 0 for none. Values are
+        then whole multiples of it, which the store keeps as whole numbers.
+    """
 
     name: str
     unit: str
     description: str
+    resolution: float = 0.0

@@ -46,7 +46,7 @@ class RunningDevice(ABC):
     """A device during one trial."""
 
     axes: tuple[Channel, ...]
-    """Name, unit and meaning of each position axis."""
+    """Name, unit, meaning and resolution of each position axis; a rate has the same resolution."""
 
     @property
     def channels(self) -> tuple[Channel, ...]:

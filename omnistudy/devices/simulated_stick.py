@@ -66,8 +66,19 @@ class _AxisState:
     """One axis in motion, SI at the handle; what a tick needs lies ready as floats."""
 
     __slots__ = (
-        "counts_per_newton", "damping", "force", "gravity", "lever", "limit", "mass",
-        "centring_damping", "centring_stiffness", "metres_per_count", "position", "rate", "step",
+        "centring_damping",
+        "centring_stiffness",
+        "counts_per_newton",
+        "damping",
+        "force",
+        "gravity",
+        "lever",
+        "limit",
+        "mass",
+        "metres_per_count",
+        "position",
+        "rate",
+        "step",
         "travel",
     )  # fmt: skip
 
@@ -90,11 +101,6 @@ class _AxisState:
 
 
 class _RunningStick(RunningDevice):
-    axes = (
-        Channel("stick_x", "m", "handle's travel, forward"),
-        Channel("stick_y", "m", "handle's travel, left"),
-        Channel("stick_theta", "rad", "handle's twist, counter-clockwise"),
-    )
     _channels = (
         Channel("motor_x", "N", "motor force at the handle after clipping, with centring"),
         Channel("motor_y", "N", "motor force at the handle after clipping, with centring"),
@@ -111,6 +117,11 @@ class _RunningStick(RunningDevice):
             _AxisState(stick.x, stick.force_limit, per_count, scale.lever),
             _AxisState(stick.y, stick.force_limit, per_count, scale.lever),
             _AxisState(stick.theta, stick.torque_limit, turn, inf),
+        )
+        self.axes = (
+            Channel("stick_x", "m", "handle's travel, forward", per_count),
+            Channel("stick_y", "m", "handle's travel, left", per_count),
+            Channel("stick_theta", "rad", "handle's twist, counter-clockwise", turn),
         )
         self._hand: Hand | None = None
         self._field = NO_FORCE

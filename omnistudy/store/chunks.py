@@ -60,8 +60,38 @@ def unpack(chunk: Chunk, columns: int) -> NDArray[np.float64]:
 
 def chunks_of(stream: Stream) -> Iterator[Chunk]:
     """Cut a stream into packed chunks; none for a stream without rows."""
-    for first in range(0, len(stream.data), ROWS_A_CHUNK):
-        yield pack(stream.data[first : first + ROWS_A_CHUNK], first / stream.rate_hz)
+    stored = stored_numbers(stream.data, stream.channels)
+    for first in range(0, len(stored), ROWS_A_CHUNK):
+        yield pack(stored[first : first + ROWS_A_CHUNK], first / stream.rate_hz)
+
+
+def stored_numbers(
+    values: NDArray[np.float64], channels: tuple[Channel, ...]
+) -> NDArray[np.float64]:
+    """Turn values of channels with a resolution into whole numbers of steps, which pack small.
+
+    Raises ValueError for a value that is no whole multiple: it would not come back bit for bit.
+    """
+    steps = _steps(channels)
+    numbers = np.where(steps > 0.0, np.rint(values / np.where(steps > 0.0, steps, 1.0)), values)
+    changed = ~np.isclose(
+        real_values(numbers, channels), values, rtol=0.0, atol=0.0, equal_nan=True
+    )
+    if changed.any():
+        name = channels[int(np.argwhere(changed)[0][1])].name
+        raise ValueError(f"channel '{name}' has values between the steps of its resolution")
+    return numbers
+
+
+def real_values(numbers: NDArray[np.float64], channels: tuple[Channel, ...]) -> NDArray[np.float64]:
+    """Turn stored numbers back into values."""
+    steps = _steps(channels)
+    values: NDArray[np.float64] = np.where(steps > 0.0, numbers * steps, numbers)
+    return values
+
+
+def _steps(channels: tuple[Channel, ...]) -> NDArray[np.float64]:
+    return np.array([channel.resolution for channel in channels], dtype=np.float64)
 
 
 def columns_text(channels: tuple[Channel, ...]) -> str:

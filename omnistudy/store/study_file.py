@@ -13,7 +13,7 @@ from sqlalchemy import Connection, func, select
 from omnistudy.channel import SAMPLE_CHANNELS, SAMPLE_COLUMNS, Stream
 from omnistudy.errors.store import DatabaseDamaged, NoSuchStream, NoSuchTrial
 from omnistudy.store import frames
-from omnistudy.store.chunks import Chunk, channels_from, unpack
+from omnistudy.store.chunks import Chunk, channels_from, real_values, unpack
 from omnistudy.store.connection import in_plain_words, reading_engine, remove_empty_log
 from omnistudy.store.file_check import check_file
 from omnistudy.store.records import StudyRecord
@@ -195,7 +195,7 @@ class StudyFile:
         except ValueError as error:
             raise DatabaseDamaged(self.path, f"trial {trial}, stream '{name}': {error}") from error
         data = np.concatenate([np.empty((0, len(channels))), *pieces])
-        return Stream(name, row.rate_hz, channels, data)
+        return Stream(name, row.rate_hz, channels, real_values(data, channels))
 
     def _require_trial(self, trial: int) -> None:
         found = self.connection.scalar(select(TrialRow.id).where(TrialRow.id == trial))

@@ -57,7 +57,12 @@ class Recorder:
     def input_stream(self) -> Stream:
         """Give what every physics step consumed."""
         rates = tuple(
-            Channel(f"{axis.name}_rate", f"{axis.unit}/s", f"rate of: {axis.description}")
+            Channel(
+                f"{axis.name}_rate",
+                f"{axis.unit}/s",
+                f"rate of: {axis.description}",
+                axis.resolution,
+            )
             for axis in self._axes
         )
         width = 2 * len(self._axes)

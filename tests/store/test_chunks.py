@@ -18,6 +18,7 @@ from omnistudy.store.chunks import (
     chunks_of,
     columns_text,
     pack,
+    real_values,
     unpack,
 )
 
@@ -85,3 +86,21 @@ def test_columns_keep_names_units_and_meanings() -> None:
     channels = (Channel("torque", "N·m", "at the hand"), Channel("late", "1", ""))
     assert channels_from(columns_text(channels)) == channels
     assert "N·m" in columns_text(channels)
+
+
+def test_whole_counts_of_an_encoder_pack_small_and_come_back_bit_for_bit() -> None:
+    count = 0.095 * np.pi / 180.0 / 12.0
+    counts = np.round(300.0 * np.sin(np.arange(4000) / 37.0))
+    stick = Channel("stick_x", "m", "travel", count)
+    aware = Stream("input", 240.0, (stick,), (counts * count)[:, None])
+    unaware = aware._replace(channels=(stick._replace(resolution=0.0),))
+
+    (packed,), (plain,) = chunks_of(aware), chunks_of(unaware)
+    assert real_values(unpack(packed, 1), aware.channels).tobytes() == aware.data.tobytes()
+    assert len(packed.data) < 0.5 * len(plain.data)
+
+
+def test_a_value_between_the_steps_is_refused() -> None:
+    stick = Channel("stick_x", "m", "travel", 0.25)
+    with pytest.raises(ValueError, match="'stick_x' has values between the steps"):
+        list(chunks_of(Stream("input", 240.0, (stick,), np.array([[0.25], [0.3]]))))
