@@ -48,8 +48,8 @@ def calibrate(
     ] = 34.0,
     best: Annotated[float, typer.Option(help="Those of the best of eight people.")] = 17.0,
     worst: Annotated[float, typer.Option(help="Those of the worst of eight people.")] = 83.0,
-    each: Annotated[int, typer.Option(min=3, help="Trials at each skill.")] = 12,
-    check: Annotated[int, typer.Option(min=6, help="Fresh trials that check the result.")] = 48,
+    each: Annotated[int, typer.Option(min=3, help="Trials at each skill.")] = 9,
+    check: Annotated[int, typer.Option(min=6, help="Fresh trials that check the result.")] = 36,
     seed: Annotated[str, typer.Option(help="Text from which every draw is made.")] = "calibrate",
     workers: Annotated[
         int | None, typer.Option(min=1, help="Processes; as many as there are cores unless given.")

@@ -41,3 +41,13 @@ class CannotCalibrate(OmnistudyError):
             f"{target:g} collisions a trial are out of reach: the response measured gives "
             f"{reached:.1f} at skill {skill:g}; measure it at higher skills, or check the target"
         )
+
+
+class WorkerDied(OmnistudyError):
+    """A worker process that the system ended."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "a worker process was ended from outside (too little memory, or killed); what was "
+            "finished is kept: run the command again, with --workers 1 if memory is short"
+        )

@@ -6,8 +6,10 @@ import signal
 from collections import deque
 from collections.abc import Iterable, Iterator
 from concurrent.futures import Future, ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
 from multiprocessing import get_context
 
+from omnistudy.errors.session import WorkerDied
 from omnistudy.trial import TrialResult, TrialSpec, run_trial
 
 AHEAD = 2
@@ -17,7 +19,8 @@ AHEAD = 2
 def run_all(specs: Iterable[TrialSpec], workers: int) -> Iterator[TrialResult]:
     """Run trials on `workers` processes (one: in this process); results in the order given.
 
-    A trial depends on its spec alone, so the number of workers changes no byte.
+    A trial depends on its spec alone, so the number of workers changes no byte. Raises WorkerDied
+    when the system ends a worker.
     """
     if workers <= 1:
         yield from map(run_trial, specs)
@@ -37,5 +40,7 @@ def run_all(specs: Iterable[TrialSpec], workers: int) -> Iterator[TrialResult]:
                     yield waiting.popleft().result()
             while waiting:
                 yield waiting.popleft().result()
+        except BrokenProcessPool as cause:
+            raise WorkerDied from cause
         finally:
             pool.shutdown(wait=False, cancel_futures=True)
