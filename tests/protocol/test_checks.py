@@ -106,6 +106,7 @@ def test_one_fault_is_one_sentence_that_names_the_file() -> None:
             "conditions: 2 conditions share the masked_label 'A'",
             "make it unique",
         ),
+        ("order.last=[]", "order: condition 'centre_front_10' is never met", "take it out"),
         ("order.blocks=[nne,full]", "order: unknown condition 'nne'", "did you mean 'none'?"),
         ("session.longest=2000", "session.longest: a session is expected to last", "pauses"),
         ("participants.study_key=''", "participants.study_key: virtual", "any text that stays"),

@@ -18,6 +18,11 @@ def test_no_two_attempts_share_a_seed() -> None:
     assert len({trial_seed("d", "k", *four) for four in numbers}) == len(numbers)
 
 
+def test_a_replacement_is_another_person() -> None:
+    people = {participant_seed("k", slot, occupant) for slot in range(3) for occupant in (1, 2)}
+    assert len(people) == 6
+
+
 def test_orders_trials_and_people_are_drawn_apart() -> None:
     seeds = {order_seed("d", "k", 0), participant_seed("k", 0, 1), trial_seed("d", "k", 0, 1, 1, 1)}
     assert len(seeds) == 3
