@@ -147,6 +147,36 @@ def status(study: StudyArgument, json: JsonOption = False) -> None:
 
 
 @app.command()
+def diff(
+    study: StudyArgument,
+    protocol: Annotated[
+        str | None,
+        typer.Argument(
+            help="A protocol's name or file; else the one of the frozen protocol's name.",
+            autocompletion=_protocols,
+        ),
+    ] = None,
+    changes: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="[KEY=VALUE]...", help="Changes that the study was made with."),
+    ] = None,
+) -> None:
+    """Refuse a protocol that was changed after the study was frozen; exits 1 with what differs.
+
+    Example: omnistudy study diff first utah2017_component
+    """
+    from omnistudy.protocol.compose import compose_protocol
+    from omnistudy.store import open_study
+    from omnistudy.study import check_unchanged, frozen_protocol, resolve_study
+
+    with open_study(resolve_study(study)) as opened:
+        record = opened.study
+    given = compose_protocol(protocol or frozen_protocol(record).name, changes or ())
+    check_unchanged(record, given)
+    print_line(f"the protocol is the one that study '{record.name}' was frozen with")
+
+
+@app.command()
 def upgrade(study: StudyArgument) -> None:
     """Bring the database of an older omnistudy up to date, after copying it.
 

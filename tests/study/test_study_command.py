@@ -37,6 +37,15 @@ def test_a_study_is_made_listed_and_counted(
     assert "exists already" in capsys.readouterr().err
 
 
+def test_a_changed_protocol_is_refused_with_a_diff(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], studies: Path
+) -> None:
+    run(monkeypatch, "study", "create", NAME, "participants.count=1", "--name", "a")
+    assert run(monkeypatch, "study", "diff", "a", NAME, "participants.count=1") == 0
+    assert run(monkeypatch, "study", "diff", "a") == 1
+    assert "participants.count: 1 -> 8" in capsys.readouterr().err
+
+
 def test_a_dry_run_writes_nothing(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], studies: Path
 ) -> None:
