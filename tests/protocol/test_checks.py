@@ -2,51 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from copy import deepcopy
-from functools import cache
-from typing import Any
-
 import pytest
-import yaml
+from protocol_page import changed_protocol
 
 from omnistudy.errors.protocol import ProtocolFaults
-from omnistudy.protocol.completion import completed
-from omnistudy.protocol.compose import compose_protocol, find_protocol, read_protocol
-from omnistudy.protocol.page import composed
-from omnistudy.registry.conf import conf_roots
-
-
-@cache
-def sound_page() -> dict[str, Any]:
-    page = find_protocol("utah2017_component")
-    return composed(page.stem, (page.parent, *conf_roots()), (), ())
-
-
-def changed_page(changes: Sequence[str]) -> dict[str, Any]:
-    """Give the page with `key=value` set and `~key` taken out, as somebody might write it."""
-    tree = deepcopy(sound_page())
-    for change in changes:
-        path, _, text = change.removeprefix("~").partition("=")
-        *parents, last = path.split(".")
-        inside = tree
-        for parent in parents:
-            inside = inside.setdefault(parent, {})
-        if change.startswith("~"):
-            del inside[last]
-        else:
-            inside[last] = yaml.safe_load(text)
-    return tree
+from omnistudy.protocol.compose import compose_protocol
 
 
 def faults(*changes: str) -> tuple[str, ...]:
     with pytest.raises(ProtocolFaults) as caught:
-        read_protocol(completed(changed_page(changes)), "page.yaml")
+        changed_protocol(*changes)
     return caught.value.faults
 
 
 def test_the_page_itself_has_no_faults() -> None:
-    assert read_protocol(completed(changed_page([])), "page.yaml").name == "utah2017_component"
+    assert changed_protocol().name == "utah2017_component"
 
 
 def test_one_fault_is_one_sentence_that_names_the_file() -> None:

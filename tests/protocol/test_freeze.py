@@ -8,10 +8,10 @@ from typing import Any
 import pytest
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
+from protocol_page import changed_protocol
 from pydantic import ValidationError
 
 from omnistudy.protocol import Protocol, freeze, thaw
-from omnistudy.protocol.compose import compose_protocol
 
 Path = tuple[str | int, ...]
 
@@ -36,7 +36,7 @@ def changed(canonical: str, path: Path, value: Any) -> str:
     return json.dumps(tree)
 
 
-COMPONENT = freeze(compose_protocol("utah2017_component"))
+COMPONENT = freeze(changed_protocol())
 LEAVES = list(leaves(json.loads(COMPONENT.canonical_json)))
 NUMBERS = [
     (path, value)
@@ -108,15 +108,13 @@ def test_mending_a_text_changes_the_site_hash_alone(path: Path) -> None:
     ],
 )
 def test_a_change_of_the_design_changes_the_design_hash_alone(override: str) -> None:
-    frozen = freeze(compose_protocol("utah2017_component", [override]))
+    frozen = freeze(changed_protocol(override))
     assert frozen.design_hash != COMPONENT.design_hash
     assert frozen.site_hash == COMPONENT.site_hash
 
 
 def test_a_condition_that_changes_the_device_makes_it_design() -> None:
-    frozen = freeze(
-        compose_protocol("utah2017_component", ["conditions.full.device.force_limit=10"])
-    )
+    frozen = freeze(changed_protocol("conditions.full.device.force_limit=10"))
     assert frozen.design_hash != COMPONENT.design_hash
 
 
@@ -137,12 +135,12 @@ def test_the_order_of_keys_says_nothing(chance: random.Random) -> None:
 
 
 def test_negative_zero_is_zero() -> None:
-    plain = compose_protocol("utah2017_component", ["law.compliance_centre=0.0"])
-    negative = compose_protocol("utah2017_component", ["law.compliance_centre=-0.0"])
+    plain = changed_protocol("law.compliance_centre=0.0")
+    negative = changed_protocol("law.compliance_centre=-0.0")
     assert freeze(plain) == freeze(negative)
 
 
 def test_a_whole_number_is_the_same_number() -> None:
-    whole = compose_protocol("utah2017_component", ["law.compliance_centre=1"])
-    broken = compose_protocol("utah2017_component", ["law.compliance_centre=1.0"])
+    whole = changed_protocol("law.compliance_centre=1")
+    broken = changed_protocol("law.compliance_centre=1.0")
     assert freeze(whole) == freeze(broken)

@@ -5,6 +5,7 @@ from collections import Counter
 import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
+from protocol_page import changed_protocol
 
 from omnistudy.protocol import Protocol, plan
 from omnistudy.protocol.compose import compose_protocol
@@ -46,7 +47,7 @@ def test_routes_differ_from_slot_to_slot(component: Protocol) -> None:
 
 
 def test_another_number_of_participants_moves_no_conditions(component: Protocol) -> None:
-    fewer = compose_protocol("utah2017_component", ["participants.count=2"])
+    fewer = changed_protocol("participants.count=2")
     for slot in range(2):
         assert [trial.condition for trial in plan(component, slot)] == [
             trial.condition for trial in plan(fewer, slot)
@@ -54,7 +55,7 @@ def test_another_number_of_participants_moves_no_conditions(component: Protocol)
 
 
 def test_mending_a_text_redraws_nothing(component: Protocol) -> None:
-    mended = compose_protocol("utah2017_component", ["title=Mended"])
+    mended = changed_protocol("title=Mended")
     assert all(plan(component, slot) == plan(mended, slot) for slot in range(8))
 
 

@@ -3,25 +3,25 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from protocol_page import changed_protocol
 
 from omnistudy.errors.protocol import ProtocolFaults
 from omnistudy.errors.study import ProtocolChanged
 from omnistudy.protocol import Protocol
-from omnistudy.protocol.compose import compose_protocol
 from omnistudy.study import check_unchanged, create_study, frozen_protocol
 
 
 def test_the_frozen_protocol_comes_back(component: Protocol, tmp_path: Path) -> None:
     record = create_study(component, tmp_path / "a.db", "a")
     assert frozen_protocol(record) == component
-    check_unchanged(record, compose_protocol("utah2017_component"))
+    check_unchanged(record, changed_protocol())
 
 
 def test_a_changed_protocol_is_refused_with_what_differs(
     component: Protocol, tmp_path: Path
 ) -> None:
     record = create_study(component, tmp_path / "a.db", "a")
-    changed = compose_protocol("utah2017_component", ["session.pause=10", "plant.mass=30"])
+    changed = changed_protocol("session.pause=10", "plant.mass=30")
     with pytest.raises(ProtocolChanged) as caught:
         check_unchanged(record, changed)
     said = str(caught.value)
