@@ -15,7 +15,7 @@ from omnistudy.units import Metres, Positive, Ratio
 
 
 class RateController(Controller):
-    """Counts, limits, dead zones and gains of the firmware (Tyagi 2017, App. A; omni.md 2, 5)."""
+    """Counts, limits, dead zones and gains of the firmware (Tyagi 2017, App. B; omni.md 2, 5)."""
 
     kind: Literal["rate"] = "rate"
     scale: StickScale = StickScale()

@@ -21,7 +21,7 @@ DEGREES_PER_COUNT = 360.0 / 1440.0
 
 
 class Axis(Model):
-    """One motor of the stick, in the firmware's units (Tyagi 2017, eq. 3.2, App. A; omni.md 2).
+    """One motor of the stick, in the firmware's units (Tyagi 2017, eq. 3.2, App. B; omni.md 2).
 
     psi/u = gain/(s(s + pole)): psi in motor degrees, u in PWM counts.
     """

@@ -24,7 +24,7 @@ class RouteTask(Task):
 
     def limit(self, world: World, route: str) -> float:
         """Give the time limit in s of a route; raises UnknownRoute."""
-        return self.time_limit * self.expected_duration(world, route) / 1.5
+        return self.time_limit * world.route(route).length / self.top_speed
 
     def expected_duration(self, world: World, route: str) -> float:
         """Guess one and a half times the route at top speed, s; raises UnknownRoute."""
