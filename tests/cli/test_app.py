@@ -165,9 +165,10 @@ def test_version_is_that_of_the_package() -> None:
     assert ran.stdout == f"omnistudy {version('omnistudy')}\n"
 
 
-def test_reader_that_leaves_early_meets_no_trace() -> None:
+@pytest.mark.parametrize("option", ["--help", "--version"])
+def test_reader_that_leaves_early_meets_no_trace(option: str) -> None:
     read, write = os.pipe()
     os.close(read)
-    ran = subprocess.run([OMNISTUDY, "--help"], stdout=write, stderr=subprocess.PIPE, text=True)
+    ran = subprocess.run([OMNISTUDY, option], stdout=write, stderr=subprocess.PIPE, text=True)
     os.close(write)
     assert ran.stderr == ""
