@@ -165,10 +165,17 @@ def test_version_is_that_of_the_package() -> None:
     assert ran.stdout == f"omnistudy {version('omnistudy')}\n"
 
 
+@pytest.mark.parametrize("unbuffered", ["", "1"])
 @pytest.mark.parametrize("option", ["--help", "--version"])
-def test_reader_that_leaves_early_meets_no_trace(option: str) -> None:
+def test_reader_that_leaves_early_meets_no_trace(option: str, unbuffered: str) -> None:
     read, write = os.pipe()
     os.close(read)
-    ran = subprocess.run([OMNISTUDY, option], stdout=write, stderr=subprocess.PIPE, text=True)
+    ran = subprocess.run(
+        [OMNISTUDY, option],
+        stdout=write,
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONUNBUFFERED": unbuffered},
+    )
     os.close(write)
     assert ran.stderr == ""
