@@ -107,6 +107,24 @@ def test_a_trial_resimulates_from_its_input_alone(law: str) -> None:
     )
 
 
+class Impedance(Law):
+    """A law that answers the stick's own place and rate."""
+
+    kind: Literal["impedance"] = "impedance"
+
+    def field(self, sensed: Sensed) -> ForceField:
+        x, _, theta = sensed.stick_rate
+        return ForceField(PlanarWrench(-20.0 * sensed.stick[0], -2.0 * x, -0.1 * theta))
+
+
+def test_a_law_that_senses_the_stick_resimulates() -> None:
+    spec = trial(law=Impedance())
+    result = run_trial(spec)
+    assert column(result, "fy").any()
+    again = resimulate(spec, stream(result, "input").data)
+    assert again.samples.tobytes() == result.samples.tobytes()
+
+
 def test_a_trial_out_of_time_resimulates() -> None:
     world = straight_world()
     world = world.model_copy(update={"bodies": (*world.bodies, wall_ahead(1.0))})
