@@ -18,7 +18,9 @@ ROOT = Path(__file__).resolve().parent.parent
 PAGES = sorted([ROOT / "README.md", *ROOT.glob("CONTRIBUTING.md"), *(ROOT / "docs").rglob("*.md")])
 RUNNABLE = {"console", "python"}
 NOT_RUNNABLE = {"text", "yaml", "sql", "json", "csv", "toml", ""}
-MAY_STAY_UNRUN = re.compile(r"make |git clone |cd |\. \.venv/|python3? -m venv |pip install ")
+MAY_STAY_UNRUN = re.compile(
+    r"make |git clone |cd |\. \.venv/|python3? -m venv |pip install |omnistudy .*\.\./shared/data/"
+)
 
 FENCE = re.compile(
     r"^(?:<!-- not run: (?P<reason>[^\n]+) -->\n)?```(?P<language>\w*)\n(?P<body>.*?)^```$",

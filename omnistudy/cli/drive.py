@@ -154,7 +154,7 @@ def _print_replays(replays: list[Replay]) -> None:
                 f"{own.largest_error_m:.2f}",
             ]  # fmt: skip
         rows.append(row)
-    title = f"{replays[0].file.parent} in {replays[0].world}"
+    title = f"{replays[0].file.parent}, {replays[0].world}"
     print_table(title, columns + compared * (replays[0].odometry is not None), rows)
     for done in replays:
         own = done.odometry
