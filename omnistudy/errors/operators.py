@@ -61,3 +61,13 @@ class NoMotion(OmnistudyError):
             f"recording {file} holds no motion: {' and '.join(columns)} are zero in every row; "
             "check which columns hold the commands"
         )
+
+
+class WrongAxes(OmnistudyError):
+    """An operator whose hand does not fit the device."""
+
+    def __init__(self, given: int, axes: Sequence[str]) -> None:
+        super().__init__(
+            f"the operator moves {given} axes, but the device has {len(axes)} "
+            f"({', '.join(axes)}): name a column or null for each axis of the device"
+        )

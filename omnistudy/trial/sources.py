@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from omnistudy.channel import Channel
 from omnistudy.devices import DeviceState
+from omnistudy.errors.operators import WrongAxes
 from omnistudy.geometry import ForceField
 from omnistudy.trial.spec import TrialSpec
 from omnistudy.worlds import Situation
@@ -48,8 +49,11 @@ class HandSource(Source):
         self.channels = self._device.channels
 
     def next(self, step: int, t: float, plant_state: Any, situation: Situation) -> DeviceState:
-        """Let the hand act and the device move for one step."""
-        return self._device.advance(self._operator.hand(t, plant_state, situation))
+        """Let the hand act and the device move for one step; raises WrongAxes."""
+        hand = self._operator.hand(t, plant_state, situation)
+        if step == 0 and len(hand.reference) != len(self.axes):
+            raise WrongAxes(len(hand.reference), [axis.name for axis in self.axes])
+        return self._device.advance(hand)
 
     def has(self, step: int) -> bool:
         """Tell whether the operator goes on driving."""

@@ -16,6 +16,7 @@ from pydantic import ValidationError
 from omnistudy.controllers.differential import DifferentialController
 from omnistudy.controllers.direct import DirectController
 from omnistudy.devices.direct import DirectDevice
+from omnistudy.devices.simulated_stick import SimulatedStick
 from omnistudy.errors import OmnistudyError
 from omnistudy.errors.operators import (
     NoMotion,
@@ -24,6 +25,7 @@ from omnistudy.errors.operators import (
     NoSuchColumn,
     NotANumber,
     TimeRunsBackwards,
+    WrongAxes,
 )
 from omnistudy.operators import Person
 from omnistudy.operators.command_log import CommandLog, read_log
@@ -272,6 +274,13 @@ def test_command_that_nothing_follows_stops_after_the_longest_gap(recording: Any
     file = recording("time,v,omega\n0,0.2,0\n10,0,0\n")
     assert drive(file).path_length_m == pytest.approx(2.0, abs=0.01)
     assert drive(file, longest_gap=0.5).path_length_m == pytest.approx(0.1, abs=0.01)
+
+
+@pytest.mark.parametrize("device", [DirectDevice(), SimulatedStick()])
+def test_axes_that_do_not_fit_the_device_are_told(recording: Any, device: Any) -> None:
+    operator = RecordedOperator(file=recording("time,v\n0,1\n1,0\n"), axes=("v", None))
+    with pytest.raises(WrongAxes, match=r"moves 2 axes, but the device has 3 \(stick_x, "):
+        run_trial(trial(FLOOR, operator=operator, device=device, task=FreeTask()))
 
 
 def test_linear_ramp_covers_half_the_way(recording: Any) -> None:
