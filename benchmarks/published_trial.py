@@ -12,26 +12,15 @@ from typing import NamedTuple
 from omnistudy.operators import Person
 from omnistudy.protocol.compose import compose_protocol
 from omnistudy.seeds import seed_text
+from omnistudy.session.specs import coupled
 from omnistudy.trial import TrialResult, TrialSpec, run_trial
 
 
 def published_trial() -> TrialSpec:
     """Give a trial with full feedback of the first virtual participant."""
     protocol = compose_protocol("utah2017_component")
-    setup = protocol.setup_for("full")
-    return TrialSpec(
-        world=setup.world,
-        route=protocol.routes[0],
-        plant=setup.plant,
-        device=setup.device,
-        controller=setup.controller,
-        law=setup.law,
-        operator=setup.operator,
-        task=setup.task,
-        recording=setup.recording,
-        messages=protocol.messages,
-        person=Person(seed_text("benchmark", "person"), seed_text("benchmark", "trial"), 1),
-    )
+    person = Person(seed_text("benchmark", "person"), seed_text("benchmark", "trial"), 1)
+    return coupled(protocol, "full", protocol.routes[0], person)
 
 
 def digest(result: TrialResult) -> str:

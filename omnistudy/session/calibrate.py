@@ -14,6 +14,7 @@ from omnistudy.operators.virtual_driver import VirtualDriver
 from omnistudy.protocol import Protocol
 from omnistudy.seeds import seed_text
 from omnistudy.session.population import Population, ResponsePoint, Targets
+from omnistudy.session.specs import coupled
 from omnistudy.session.workers import run_all
 from omnistudy.trial import TrialSpec
 
@@ -112,20 +113,9 @@ def _fixed(driver: VirtualDriver, skill: float) -> VirtualDriver:
 def _spec(
     protocol: Protocol, condition: str, driver: VirtualDriver, seed: str, index: int, position: int
 ) -> TrialSpec:
-    setup = protocol.setup_for(condition)
-    return TrialSpec(
-        world=setup.world,
-        route=protocol.routes[index % len(protocol.routes)],
-        plant=setup.plant,
-        device=setup.device,
-        controller=setup.controller,
-        law=setup.law,
-        operator=driver,
-        task=setup.task,
-        recording=setup.recording,
-        messages=protocol.messages,
-        person=Person(seed_text(seed, "person"), seed_text(seed, "trial"), position),
-    )
+    route = protocol.routes[index % len(protocol.routes)]
+    person = Person(seed_text(seed, "person"), seed_text(seed, "trial"), position)
+    return coupled(protocol, condition, route, person, driver)
 
 
 def _collisions(

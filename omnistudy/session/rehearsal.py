@@ -9,8 +9,9 @@ from omnistudy.operators import Person
 from omnistudy.protocol import Protocol
 from omnistudy.protocol.seeds import participant_seed
 from omnistudy.seeds import seed_text
+from omnistudy.session.specs import coupled
 from omnistudy.session.workers import run_all
-from omnistudy.trial import TrialResult, TrialSpec
+from omnistudy.trial import TrialResult
 from omnistudy.worlds import World
 
 
@@ -31,24 +32,7 @@ def rehearse(protocol: Protocol, conditions: Sequence[str], slot: int = 0) -> tu
     """
     key = protocol.participants.participant_key
     person = Person(participant_seed(key, slot, 1), seed_text("rehearsal", key, slot), 1)
-    specs = []
-    for condition in conditions:
-        setup = protocol.setup_for(condition)
-        specs.append(
-            TrialSpec(
-                world=setup.world,
-                route=protocol.routes[0],
-                plant=setup.plant,
-                device=setup.device,
-                controller=setup.controller,
-                law=setup.law,
-                operator=setup.operator,
-                task=setup.task,
-                recording=setup.recording,
-                messages=protocol.messages,
-                person=person,
-            )
-        )
+    specs = [coupled(protocol, condition, protocol.routes[0], person) for condition in conditions]
     results = run_all(specs, workers=len(specs))
     return tuple(
         Rehearsed(condition, spec.world, result)
