@@ -6,19 +6,20 @@ from abc import ABC, abstractmethod
 from typing import Any, NamedTuple
 
 from omnistudy.devices import DeviceState
-from omnistudy.geometry import Matrix3, PlanarTwist, Scan
+from omnistudy.geometry import Matrix3, Scan
 from omnistudy.registry import KindModel
 
 
 class Control(NamedTuple):
     """One decision of a controller.
 
-    intent : the twist that the stick asks for, which laws damp.
+    intent : what the stick asks for; all zero is no command. For a robot on the floor a
+        PlanarTwist, which laws damp; for others as many numbers as the device has axes.
     command : what the plant is told (a PlanarTwist for a mobile base, joint rates for an arm).
     state : the controller's own state, given back to it at the next step.
     """
 
-    intent: PlanarTwist
+    intent: tuple[float, ...]
     command: Any
     state: Any = None
 

@@ -88,7 +88,7 @@ class _Loop:
         self._field = self._spec.law.field(
             Sensed(
                 scan,
-                self._control.intent,
+                PlanarTwist(*self._control.intent),
                 self._spec.controller.twist_per_stick,
                 device.position[:3],  # type: ignore[arg-type]
                 device.rate[:3],  # type: ignore[arg-type]
@@ -121,7 +121,7 @@ class _Loop:
         progress = self._task.update(
             t,
             state,
-            self._control.intent != STILL,
+            any(self._control.intent),
             self._collisions.count,
             self._collisions.colliding,
         )
