@@ -120,7 +120,7 @@ class StudyFile:
         """Give one row an event, of one trial (raises NoSuchTrial) or of all."""
         with self.reading() as connection:
             if trial is not None:
-                self._require_trial(trial)
+                trial = self._trial_id(trial)
             return frames.events_frame(connection, trial)
 
     def samples(self, trial: int) -> DataFrame:
@@ -133,7 +133,7 @@ class StudyFile:
         table = SampleRow.__table__
         columns = [table.c[name] for name in SAMPLE_COLUMNS]
         with self.reading() as connection:
-            self._require_trial(trial)
+            trial = self._trial_id(trial)
             rows = connection.execute(
                 select(*columns).where(table.c.trial_id == trial).order_by(table.c.t)
             ).all()
@@ -144,7 +144,7 @@ class StudyFile:
     def streams(self, trial: int) -> DataFrame:
         """Give one row a stream of a trial: name, rate, rows, columns; raises NoSuchTrial."""
         with self.reading() as connection:
-            self._require_trial(trial)
+            trial = self._trial_id(trial)
             found = connection.execute(
                 select(
                     StreamRow.name,
@@ -177,7 +177,7 @@ class StudyFile:
     def stream_record(self, trial: int, name: str) -> Stream:
         """Give a stream as it was recorded, to simulate the trial again; raises as `stream`."""
         with self.reading() as connection:
-            self._require_trial(trial)
+            trial = self._trial_id(trial)
             found = connection.execute(
                 select(StreamRow).where(StreamRow.trial_id == trial).order_by(StreamRow.id)
             ).all()
@@ -197,7 +197,9 @@ class StudyFile:
         data = np.concatenate([np.empty((0, len(channels))), *pieces])
         return Stream(name, row.rate_hz, channels, real_values(data, channels))
 
-    def _require_trial(self, trial: int) -> None:
-        found = self.connection.scalar(select(TrialRow.id).where(TrialRow.id == trial))
+    def _trial_id(self, trial: int) -> int:
+        """Give the number of a trial as SQLite knows it, numpy's from a frame's column too."""
+        found = self.connection.scalar(select(TrialRow.id).where(TrialRow.id == int(trial)))
         if found is None:
             raise NoSuchTrial(self.path, trial)
+        return found

@@ -98,6 +98,14 @@ def test_samples_come_back(driven: Path, samples: NDArray[np.float64]) -> None:
     assert set(frame.dtypes) == {np.dtype("float64")}
 
 
+def test_a_trial_can_be_named_by_the_number_in_a_frame(driven: Path) -> None:
+    with omnistudy.open(driven) as study:
+        trial = study.trials()["trial"].iloc[0]  # a number of numpy's, not of Python's
+        assert len(study.samples(trial)) == len(study.samples(1))
+        assert len(study.events(trial)) == len(study.events(1))
+        assert list(study.streams(trial)["name"]) == list(study.streams(1)["name"])
+
+
 def test_events_come_back(driven: Path, events: tuple[Event, ...]) -> None:
     with omnistudy.open(driven) as study:
         every, own = study.events(), study.events(2)
