@@ -118,6 +118,10 @@ class SpringLaw(WrenchLaw):
             ),
         )
 
+    def touching(self, scan: Scan) -> Penetrations | None:
+        """Give the rays that touch, or None when none does."""
+        return self.boundary.penetrations(published.clipped(scan) if self.as_published else scan)
+
     def mean(self, values: Floats, weights: Floats) -> float:
         """Give the mean of values·weights over the touching rays, in m or m²."""
         mean = float(values.dot(weights)) / values.size
@@ -127,11 +131,10 @@ class SpringLaw(WrenchLaw):
 
     def _springs(self, scan: Scan) -> tuple[PlanarWrench, Vector3]:
         """Give the springs' wrench and the dampers (x, y, theta) that are active beside them."""
-        seen = published.clipped(scan) if self.as_published else scan
-        penetrations = self.boundary.penetrations(seen)
+        penetrations = self.touching(scan)
         if penetrations is None:
             return _NO_WRENCH, _NO_DAMPING
-        touches = self._touches(penetrations, seen)
+        touches = self._touches(penetrations, scan)
         fx = 0.0 - self.stiffness.x * self.mean(touches.depth, touches.cos)
         fy = 0.0 - self.stiffness.y * self.mean(touches.depth, touches.sin)
         tau, turning_damping = self.turning(touches)
