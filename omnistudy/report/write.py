@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from contextlib import ExitStack
 from pathlib import Path
 
@@ -16,6 +17,8 @@ from omnistudy.worlds import World
 MARK = f'name="generator" content="{GENERATOR}'
 HEAD = 4096
 """Bytes in which a page of ours shows its mark."""
+STEPS = 2
+"""Steps of `write_report` that take time."""
 
 
 def analyse_study(study: Path, arm_study: Path | None = None) -> tuple[Report, World | None]:
@@ -29,14 +32,23 @@ def analyse_study(study: Path, arm_study: Path | None = None) -> tuple[Report, W
         return analyse(tables, arms), tables.world
 
 
-def write_report(study: Path, page: Path, arm_study: Path | None = None) -> Report:
+def write_report(
+    study: Path,
+    page: Path,
+    arm_study: Path | None = None,
+    *,
+    done: Callable[[], object] = lambda: None,
+) -> Report:
     """Write the page of a study; an older report there is replaced, anything else is refused.
 
+    `done` is called after each of STEPS steps: the numbers, the pictures.
     Raises NotAReport, and what `analyse_study` raises; then nothing is written.
     """
     _refuse_other_files(page)
     report, world = analyse_study(study, arm_study)
+    done()
     text = render(report, world)
+    done()
     draft = page.with_name(f".{page.name}.{os.getpid()}.part")
     try:
         draft.write_text(text, encoding="utf-8")
