@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 from core_world import corner_world, trial
 
-from omnistudy.devices import RunningDevice
+from omnistudy.controllers.rate import RateController
+from omnistudy.devices import Hand, RunningDevice
 from omnistudy.devices.simulated_stick import SimulatedStick
 from omnistudy.geometry import ForceField, PlanarPose, PlanarTwist
 from omnistudy.laws import Law
@@ -224,6 +225,24 @@ def references(
 
 def standing(pose: PlanarPose, seconds: float, leg: Leg | None = AHEAD) -> list[Sight]:
     return [(pose, Contacts(), Situation(leg))] * round(seconds * HZ)
+
+
+def test_what_the_driver_has_learnt_of_the_stick_is_true_of_it() -> None:
+    learnt, controller = VirtualDriver().stick, RateController()
+    full = (learnt.full_travel, learnt.full_travel, learnt.full_twist)
+    top = (learnt.top_speed, learnt.top_speed, learnt.top_turning)
+    dead = (learnt.dead_zone, learnt.dead_zone, learnt.dead_zone_theta)
+    assert controller.intent(full) == pytest.approx(top, rel=1e-3)
+    for outside, moves in ((0.98, False), (1.05, True)):
+        stick = tuple(outside * d * f for d, f in zip(dead, full, strict=True))
+        assert [speed != 0.0 for speed in controller.intent(stick)] == [moves] * 3
+    # a hand that pulls to its reference has the stick where it wants it, against the centring
+    arm = driver().impedance(driver().traits("p"))
+    device = SimulatedStick().connect(HZ)
+    for _ in range(HZ):
+        state = device.advance(Hand((0.5 * FULL, -0.5 * FULL, 0.5 * FULL_TWIST), *arm))
+    half = (0.5 * full[0], -0.5 * full[1], 0.5 * full[2])
+    assert state.position == pytest.approx(half, rel=0.01)
 
 
 def test_what_is_seen_is_acted_on_a_delay_later() -> None:
