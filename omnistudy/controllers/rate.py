@@ -80,5 +80,5 @@ class RateController(Controller):
     ) -> Control:
         """Turn about the compliance centre: vy = stick's vy - omega·c (omni.md 5)."""
         twist = self.intent(device.position)
-        command = twist._replace(vy=twist.vy - twist.omega * self._numbers[-1])
-        return Control(twist, command)
+        vx, vy, omega = twist
+        return Control(twist, PlanarTwist(vx, vy - omega * self._numbers[-1], omega))

@@ -48,10 +48,8 @@ class RunningDevice(ABC):
     axes: tuple[Channel, ...]
     """Name, unit, meaning and resolution of each position axis; a rate has the same resolution."""
 
-    @property
-    def channels(self) -> tuple[Channel, ...]:
-        """What else is worth recording, besides the axes; see `values`."""
-        return ()
+    channels: tuple[Channel, ...] = ()
+    """What else is worth recording, besides the axes; see `values`."""
 
     def values(self) -> tuple[float, ...]:
         """Give the present value of each channel."""

@@ -1,11 +1,6 @@
-"""What reaches a motor when feedback, centring and gravity compensation add up."""
+"""What the thesis's firmware lets reach a motor of feedback, centring and gravity compensation."""
 
 from __future__ import annotations
-
-
-def motor_counts(force: float, centring: float, gravity: float, limit: float = 255.0) -> float:
-    """Add signed and clip once, so that never both pins of a pair are on; PWM counts."""
-    return max(-limit, min(limit, force + centring + gravity))
 
 
 def motor_counts_as_published(
@@ -15,6 +10,7 @@ def motor_counts_as_published(
 
     Force and centring are split by sign, added per pin and each pin clipped to 0..255; gravity
     rides on the pin chosen by the sign of the centring effort, and what turns negative is lost.
+    Ours adds signed and clips once (StickInMotion), so that never both pins of a pair are on.
     """
     plus = max(0.0, force) + max(0.0, centring)
     minus = max(0.0, -force) + max(0.0, -centring)
