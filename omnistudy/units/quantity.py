@@ -7,9 +7,11 @@ from pydantic import AllowInfNan, BeforeValidator, WithJsonSchema
 
 
 def _plain_number(unit: str) -> BeforeValidator:
+    wanted = "a plain number" if unit == "1" else f"a plain number in {unit}"
+
     def refuse_text(value: Any) -> Any:
         if isinstance(value, str | bool):
-            raise ValueError(f"a plain number in {unit} is needed, without a unit")
+            raise ValueError(f"{wanted} is needed, without a unit")
         return value
 
     return BeforeValidator(refuse_text)
