@@ -12,7 +12,7 @@ from typing import Any, Literal
 
 import numpy as np
 import pytest
-from core_world import straight_world, trial, wall_ahead
+from core_world import door, straight_world, trial, wall_ahead
 from numpy.typing import NDArray
 
 from omnistudy.channel import SAMPLE_COLUMNS, Channel, Recording, Stream
@@ -38,6 +38,8 @@ class Stuck(Operator):
     push: tuple[float, float, float] = (0.06, 0.0, 0.0)
     seconds: float = 1.0
     begins: float = 0.0
+    arm: float = 400.0
+    """N/m."""
 
     def begin(self, person: Person, physics_hz: int) -> RunningOperator:
         return _Stuck(self, physics_hz)
@@ -53,7 +55,8 @@ class _Stuck(RunningOperator):
         self._steps -= 1
         self.finished = self._steps <= 0
         push = self._stuck.push if t >= self._stuck.begins else (0.0, 0.0, 0.0)
-        return Hand(push, (400.0, 400.0, 20.0), (20.0, 20.0, 0.5), (0.8, 0.8, 0.003))
+        arm = self._stuck.arm
+        return Hand(push, (arm, arm, arm / 20.0), (20.0, 20.0, 0.5), (0.8, 0.8, 0.003))
 
 
 @cache
@@ -318,3 +321,17 @@ def test_what_a_plant_lacks_is_nan_and_what_it_has_more_is_a_stream() -> None:
     battery = stream(result, "plant")
     assert [channel.name for channel in battery.channels] == ["battery"]
     assert (battery.data == 12.0).all()
+
+
+@pytest.mark.parametrize(("arm", "opened"), [(400.0, True), (100.0, False)])
+def test_a_door_is_pushed_open_against_the_feedback_by_who_means_it(
+    arm: float, opened: bool
+) -> None:
+    # the law sees a wall where the door is; at most 13.5 N of it reach the hand (omni.md 6)
+    world = straight_world(half_width=0.55)
+    world = world.model_copy(update={"bodies": (*world.bodies, door(1.0))})
+    spec = trial(world, law=ComponentLaw(), operator=Stuck(seconds=12.0, arm=arm))
+    result = run_trial(spec)
+    assert bool(column(result, "x")[-1] > 1.0) is opened
+    assert column(result, "fx").min() < (-13.5 if opened else -1.0)
+    assert result.collisions == 0
