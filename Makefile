@@ -21,13 +21,13 @@ test: $(INSTALLED)  ## Check everything; REQUIRE=all treats a skip as a failure
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
-	$(BIN)/lint-imports
+	$(BIN)/lint-imports --no-cache
 	$(BIN)/pytest -n 2
 
 quick: $(INSTALLED)  ## Check in under two minutes: leaves out slow tests
 	$(BIN)/ruff check .
 	$(BIN)/mypy
-	$(BIN)/lint-imports
+	$(BIN)/lint-imports --no-cache
 	$(BIN)/pytest -n 2 -m "not slow"
 
 bench: $(INSTALLED)  ## Measure speed and memory; prints JSON

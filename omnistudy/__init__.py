@@ -2,12 +2,14 @@
 
 from typing import TYPE_CHECKING
 
+from omnistudy.version import VERSION
+
 if TYPE_CHECKING:
     from pathlib import Path
 
     from omnistudy.store.study_file import StudyFile
 
-__version__ = "0.1.0"
+__version__ = VERSION
 
 
 def open(path: "str | Path") -> "StudyFile":  # noqa: A001

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from importlib.metadata import version
 
-from omnistudy import __version__
 from omnistudy.analysis.arm_stiffness import ArmStiffnessCurve, arm_stiffness_curve
 from omnistudy.analysis.comparison import ComparisonRow, compare
 from omnistudy.analysis.counting import ConditionCount, count_attempts
@@ -25,6 +24,7 @@ from omnistudy.analysis.utah2017 import (
 )
 from omnistudy.analysis.wrench import WrenchTrace, wrench_traces
 from omnistudy.errors.analysis import MixedKinds
+from omnistudy.version import VERSION
 
 COLLISIONS = "collisions_legacy"
 """The count that is set beside the thesis: every rising edge, as it counted (App. B)."""
@@ -121,7 +121,7 @@ def _facts(tables: StudyTables, conditions: tuple[str, ...]) -> StudyFacts:
         len(tables.participants),
         conditions,
         (
-            ("omnistudy", __version__),
+            ("omnistudy", VERSION),
             ("numpy", version("numpy")),
             ("pandas", version("pandas")),
         ),

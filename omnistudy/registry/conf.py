@@ -5,9 +5,9 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-import omnistudy
 from omnistudy.errors import NoLabFolder
 
+PACKAGE = Path(__file__).resolve().parent.parent
 LAB_VARIABLE = "OMNISTUDY_CONF"
 """Environment variable that names the lab's folder when `--conf` is not given."""
 
@@ -42,9 +42,9 @@ def protocol_roots(lab: Path | None = None) -> tuple[Path, ...]:
 
 
 def _packed() -> Path | None:
-    folder = Path(omnistudy.__file__).parent / "_conf"
+    folder = PACKAGE / "_conf"
     return folder if folder.is_dir() else None
 
 
 def _checkout() -> Path:
-    return Path(omnistudy.__file__).parent.parent
+    return PACKAGE.parent

@@ -10,7 +10,6 @@ from math import isfinite, isinf
 
 from jinja2 import Environment, StrictUndefined
 
-from omnistudy import __version__
 from omnistudy.analysis.comparison import ComparisonRow
 from omnistudy.analysis.counting import STATUSES
 from omnistudy.analysis.estimate import Estimate, Interval
@@ -19,6 +18,7 @@ from omnistudy.report.picture import DataTable
 from omnistudy.report.pictures import pictures
 from omnistudy.report.style import name_of
 from omnistudy.report.words import commands, facts, key_numbers, limits, rule, tally, unfinished
+from omnistudy.version import VERSION
 from omnistudy.worlds import World
 
 GENERATOR = "omnistudy report"
@@ -35,7 +35,7 @@ def render(report: Report, world: World | None) -> str:
     here = files("omnistudy.report")
     template = environment.from_string(here.joinpath("page.html.j2").read_text(encoding="utf-8"))
     return template.render(
-        generator=f"{GENERATOR} {__version__}",
+        generator=f"{GENERATOR} {VERSION}",
         css=here.joinpath("page.css").read_text(encoding="utf-8"),
         study=report.study,
         virtual=report.study.kind == "virtual",

@@ -13,7 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 from sqlalchemy import Connection, insert, select, update
 
-import omnistudy
 from omnistudy.channel import Event, Stream
 from omnistudy.errors.store import NoSuchTrial, WrongTrialStatus
 from omnistudy.store.connection import in_plain_words, writing_engine
@@ -50,6 +49,7 @@ from omnistudy.store.tables import (
     StudyRow,
     TrialRow,
 )
+from omnistudy.version import VERSION
 
 
 class StudyWriter:
@@ -122,7 +122,7 @@ class StudyWriter:
     def _add_study(self, study: NewStudy) -> None:
         values = asdict(study)
         values["protocol"] = values.pop("protocol_json")
-        values |= {"created_at": _now(), "omnistudy_version": omnistudy.__version__}
+        values |= {"created_at": _now(), "omnistudy_version": VERSION}
         self.connection.execute(insert(StudyRow).values(values))
 
     def add_conditions(self, conditions: Iterable[NewCondition]) -> None:

@@ -1,0 +1,3 @@
+"""The version of omnistudy, as stored with what it makes."""
+
+VERSION = "0.1.0"
