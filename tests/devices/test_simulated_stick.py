@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from omnistudy.devices import Hand, RunningDevice
 from omnistudy.devices.simulated_stick import Axis, SimulatedStick
-from omnistudy.geometry import ForceField, PlanarWrench
+from omnistudy.geometry import ZERO_MATRIX, ForceField, Matrix3, PlanarWrench
 
 Three = tuple[float, float, float]
 
@@ -165,11 +165,27 @@ Q = (50 * COUNT, -40 * COUNT, 30 * TURN_COUNT)
 V = (0.1, -0.2, 0.5)
 
 
-def test_stiffness_and_damping_are_rendered_whole_and_with_their_signs() -> None:
+def diagonal(matrix: Matrix3) -> Matrix3:
+    (a, _, _), (_, b, _), (_, _, c) = matrix
+    return ((a, 0.0, 0.0), (0.0, b, 0.0), (0.0, 0.0, c))
+
+
+@pytest.mark.parametrize(
+    ("stiffness", "damping"),
+    [
+        (STIFFNESS, DAMPING),
+        (diagonal(STIFFNESS), diagonal(DAMPING)),
+        (STIFFNESS, ZERO_MATRIX),
+        (ZERO_MATRIX, DAMPING),
+    ],
+)
+def test_stiffness_and_damping_are_rendered_whole_and_with_their_signs(
+    stiffness: Matrix3, damping: Matrix3
+) -> None:
     # F = wrench - K·(q - about) - D·q', every entry of both 3x3 matrices felt
     stick = SimulatedStick(x=LIMP, y=LIMP, theta=LIMP, ticks_per_step=1)
     device = stick.connect(480)
-    device.render(ForceField(WRENCH, ABOUT, STIFFNESS, DAMPING, valid_for=10.0))
+    device.render(ForceField(WRENCH, ABOUT, stiffness, damping, valid_for=10.0))
     for _ in range(4000):
         device.advance(clamped(*Q))
     before = tuple(q - v / 480 for q, v in zip(Q, V, strict=True))
@@ -178,8 +194,8 @@ def test_stiffness_and_damping_are_rendered_whole_and_with_their_signs() -> None
     device.advance(NOBODY)
     expected = (
         np.array(WRENCH)
-        - np.array(STIFFNESS) @ (np.array(Q) - np.array(ABOUT))
-        - np.array(DAMPING) @ np.array(V)
+        - np.array(stiffness) @ (np.array(Q) - np.array(ABOUT))
+        - np.array(damping) @ np.array(V)
     )
     assert device.values() == pytest.approx(tuple(expected), abs=1e-4)
 
