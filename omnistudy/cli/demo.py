@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from omnistudy.cli.arguments import AsJson, Workers
 from omnistudy.cli.output import print_json, print_line
 
 if TYPE_CHECKING:
@@ -23,10 +24,8 @@ def demo(
     quick: Annotated[
         bool, typer.Option("--quick", help="One route without and with feedback, drawn.")
     ] = False,
-    workers: Annotated[
-        int | None, typer.Option(min=1, help="Processes; as many as there are cores unless given.")
-    ] = None,
-    json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
+    workers: Workers = None,
+    json: AsJson = False,
 ) -> None:
     """Run the published study with eight virtual participants and write its report.
 

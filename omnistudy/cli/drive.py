@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from omnistudy.cli.arguments import AsJson, Workers
 from omnistudy.cli.output import print_json, print_line, print_table, progress
 
 if TYPE_CHECKING:
@@ -37,15 +38,11 @@ def _worlds() -> list[str]:
 CONTROLLERS = ["direct", "differential"]
 LAWS = ["component", "none"]
 
-AsJson = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 Laws = Annotated[
     list[str],
     typer.Option("--law", help="Law to drive under; may be repeated.", autocompletion=_laws),
 ]
 Seed = Annotated[int, typer.Option(help="Another number is another person with other noise.")]
-Workers = Annotated[
-    int | None, typer.Option(min=1, help="Processes; as many as there are cores unless given.")
-]
 
 
 Commands = Annotated[Path, typer.Argument(help="CSV of logged twists, columns named.")]

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from omnistudy.cli.arguments import AsJson, Workers
 from omnistudy.cli.output import print_json, print_line, print_table, progress
 
 if TYPE_CHECKING:
@@ -16,7 +17,6 @@ app = typer.Typer(no_args_is_help=True)
 
 SKILLS = (0.75, 1.25, 1.75, 2.25, 2.75, 3.5, 4.5, 6.0)
 """Skills at which the response is measured; 0 is perfect."""
-AsJson = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 
 
 @app.command("list")
@@ -51,9 +51,7 @@ def calibrate(
     each: Annotated[int, typer.Option(min=3, help="Trials at each skill.")] = 9,
     check: Annotated[int, typer.Option(min=6, help="Fresh trials that check the result.")] = 36,
     seed: Annotated[str, typer.Option(help="Text from which every draw is made.")] = "calibrate",
-    workers: Annotated[
-        int | None, typer.Option(min=1, help="Processes; as many as there are cores unless given.")
-    ] = None,
+    workers: Workers = None,
     json: AsJson = False,
 ) -> None:
     """Find the virtual driver's skill from no-feedback trials alone.

@@ -2,28 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Annotated
-
 import typer
 
+from omnistudy.cli.arguments import AsJson, StudyArgument
 from omnistudy.cli.output import print_json, print_table
 
 app = typer.Typer(no_args_is_help=True, help="Participants of a study.")
 
 
-def _studies() -> list[str]:
-    from omnistudy.study import study_files
-
-    return sorted(study_files())
-
-
 @app.command("list")
 def list_(
-    study: Annotated[
-        str,
-        typer.Argument(help="A study's name or the path of its .db.", autocompletion=_studies),
-    ],
-    json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
+    study: StudyArgument,
+    json: AsJson = False,
 ) -> None:
     """List the participants of a study.
 

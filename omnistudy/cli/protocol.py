@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from omnistudy.cli.arguments import AsJson, ProtocolArgument, protocol_names
 from omnistudy.cli.output import print_json, print_line, print_table
 
 if TYPE_CHECKING:
@@ -20,27 +21,16 @@ PARTICIPANTS_SHOWN = 4
 """How many participants' orders a page shows; the others follow the same rule."""
 
 
-def _names() -> list[str]:
-    from omnistudy.protocol.compose import protocol_pages
-
-    return sorted(protocol_pages())
-
-
-ProtocolArgument = Annotated[
-    str,
-    typer.Argument(help="A protocol's name or its YAML file.", autocompletion=_names),
-]
 OverridesArgument = Annotated[
     list[str] | None,
     typer.Argument(
         metavar="[KEY=VALUE]...", help="Changes, such as law=zero_torque or participants.count=4."
     ),
 ]
-JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 
 
 @app.command("list")
-def list_(json: JsonOption = False) -> None:
+def list_(json: AsJson = False) -> None:
     """List the protocols that can be given by name.
 
     Example: omnistudy protocol list
@@ -56,7 +46,7 @@ def list_(json: JsonOption = False) -> None:
 
 @app.command()
 def show(
-    protocol: ProtocolArgument, changes: OverridesArgument = None, json: JsonOption = False
+    protocol: ProtocolArgument, changes: OverridesArgument = None, json: AsJson = False
 ) -> None:
     """Print a whole protocol as one page, every number resolved.
 
@@ -76,7 +66,7 @@ def show(
 def check(
     file: Annotated[str, typer.Argument(help="A YAML file, or a protocol's name.")],
     changes: OverridesArgument = None,
-    json: JsonOption = False,
+    json: AsJson = False,
 ) -> None:
     """Look for every fault of a protocol; exits 1 when there is any.
 
@@ -106,9 +96,11 @@ def check(
 
 @app.command()
 def diff(
-    old: Annotated[str, typer.Argument(help="A protocol's name or file.", autocompletion=_names)],
-    new: Annotated[str, typer.Argument(help="Another one.", autocompletion=_names)],
-    json: JsonOption = False,
+    old: Annotated[
+        str, typer.Argument(help="A protocol's name or file.", autocompletion=protocol_names)
+    ],
+    new: Annotated[str, typer.Argument(help="Another one.", autocompletion=protocol_names)],
+    json: AsJson = False,
 ) -> None:
     """Say what differs between two protocols, path by path, after all is resolved.
 

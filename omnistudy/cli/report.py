@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from omnistudy.cli.arguments import AsJson, StudyArgument
 from omnistudy.cli.output import print_json, print_line, progress
-from omnistudy.cli.study import JsonOption, StudyArgument
 
 if TYPE_CHECKING:
     from omnistudy.analysis.report import Report
@@ -33,7 +33,7 @@ def report(
             help="A study made from utah2017_arm_stiffness: numbers with feedback over its prior."
         ),
     ] = None,
-    json: JsonOption = False,
+    json: AsJson = False,
 ) -> None:
     """Write a study's report as one HTML file; an older report there is replaced.
 

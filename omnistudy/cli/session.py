@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from omnistudy.cli.arguments import AsJson, StudyArgument, Workers
 from omnistudy.cli.output import print_json, print_line, print_table, progress
 
 if TYPE_CHECKING:
@@ -16,19 +17,6 @@ if TYPE_CHECKING:
 app = typer.Typer(no_args_is_help=True, help="A participant's trials: plan them, run them.")
 
 
-def _studies() -> list[str]:
-    from omnistudy.study import study_files
-
-    return sorted(study_files())
-
-
-StudyArgument = Annotated[
-    str,
-    typer.Argument(help="A study's name or the path of its .db.", autocompletion=_studies),
-]
-JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON.")]
-
-
 def _clock(seconds: float) -> str:
     return f"{int(seconds) // 60}:{int(seconds) % 60:02d}"
 
@@ -37,7 +25,7 @@ def _clock(seconds: float) -> str:
 def plan(
     study: StudyArgument,
     participant: Annotated[str, typer.Argument(help="Code of a participant, such as P01.")],
-    json: JsonOption = False,
+    json: AsJson = False,
 ) -> None:
     """Print a participant's trials in their order, with the times they are expected at.
 
@@ -79,9 +67,7 @@ def run(
     trials: Annotated[
         int | None, typer.Option(min=1, help="Stop after so many trials; the rest stays planned.")
     ] = None,
-    workers: Annotated[
-        int | None, typer.Option(min=1, help="Processes; as many as there are cores unless given.")
-    ] = None,
+    workers: Workers = None,
     protocol: Annotated[
         str | None,
         typer.Option(help="Protocol that the study must have been frozen with, by name or file."),
@@ -89,7 +75,7 @@ def run(
     dry_run: Annotated[
         bool, typer.Option("--dry-run", help="Say how many trials would run, and run none.")
     ] = False,
-    json: JsonOption = False,
+    json: AsJson = False,
 ) -> None:
     """Run what is planned; a stopped run goes on where it was.
 

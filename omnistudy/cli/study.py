@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from omnistudy.cli.arguments import AsJson, ProtocolArgument, StudyArgument, protocol_names
 from omnistudy.cli.output import print_json, print_line, print_table
 
 if TYPE_CHECKING:
@@ -16,30 +17,9 @@ if TYPE_CHECKING:
 app = typer.Typer(no_args_is_help=True, help="Studies: who runs a protocol, in a database.")
 
 
-def _protocols() -> list[str]:
-    from omnistudy.protocol.compose import protocol_pages
-
-    return sorted(protocol_pages())
-
-
-def _studies() -> list[str]:
-    from omnistudy.study import study_files
-
-    return sorted(study_files())
-
-
-StudyArgument = Annotated[
-    str,
-    typer.Argument(help="A study's name or the path of its .db.", autocompletion=_studies),
-]
-JsonOption = Annotated[bool, typer.Option("--json", help="Print JSON.")]
-
-
 @app.command()
 def create(
-    protocol: Annotated[
-        str, typer.Argument(help="A protocol's name or file.", autocompletion=_protocols)
-    ],
+    protocol: ProtocolArgument,
     changes: Annotated[
         list[str] | None,
         typer.Argument(metavar="[KEY=VALUE]...", help="Changes, such as participants.count=4."),
@@ -51,7 +31,7 @@ def create(
     dry_run: Annotated[
         bool, typer.Option("--dry-run", help="Say what would be written, and write nothing.")
     ] = False,
-    json: JsonOption = False,
+    json: AsJson = False,
 ) -> None:
     """Freeze a protocol into a new study; virtual participants are enrolled at once.
 
@@ -99,7 +79,7 @@ def _print_plan(protocol: Protocol, path: Path, json: bool) -> None:
 
 
 @app.command("list")
-def list_(json: JsonOption = False) -> None:
+def list_(json: AsJson = False) -> None:
     """List the studies in the folder of studies.
 
     Example: omnistudy study list
@@ -119,7 +99,7 @@ def list_(json: JsonOption = False) -> None:
 
 
 @app.command()
-def status(study: StudyArgument, json: JsonOption = False) -> None:
+def status(study: StudyArgument, json: AsJson = False) -> None:
     """Say how far a study is, participant by participant.
 
     Example: omnistudy study status first
@@ -153,7 +133,7 @@ def diff(
         str | None,
         typer.Argument(
             help="A protocol's name or file; else the one of the frozen protocol's name.",
-            autocompletion=_protocols,
+            autocompletion=protocol_names,
         ),
     ] = None,
     changes: Annotated[

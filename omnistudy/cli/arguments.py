@@ -1,0 +1,34 @@
+"""Arguments and options that several verbs share, each with its completion."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+
+def study_names() -> list[str]:
+    """Complete a study's name."""
+    from omnistudy.study import study_files
+
+    return sorted(study_files())
+
+
+def protocol_names() -> list[str]:
+    """Complete a protocol's name."""
+    from omnistudy.protocol.compose import protocol_pages
+
+    return sorted(protocol_pages())
+
+
+StudyArgument = Annotated[
+    str, typer.Argument(help="A study's name or the path of its .db.", autocompletion=study_names)
+]
+ProtocolArgument = Annotated[
+    str,
+    typer.Argument(help="A protocol's name or its YAML file.", autocompletion=protocol_names),
+]
+AsJson = Annotated[bool, typer.Option("--json", help="Print JSON.")]
+Workers = Annotated[
+    int | None, typer.Option(min=1, help="Processes; as many as there are cores unless given.")
+]
