@@ -44,7 +44,7 @@ def calibrate(
         Path | None, typer.Option("--output", "-o", help="YAML page to write the result to.")
     ] = None,
     mean: Annotated[
-        float, typer.Option(help="No-feedback collisions a trial (the thesis's mean).")
+        float, typer.Option(help="No-feedback collisions a trial, counted as published.")
     ] = 34.0,
     best: Annotated[float, typer.Option(help="Those of the best of eight people.")] = 17.0,
     worst: Annotated[float, typer.Option(help="Those of the worst of eight people.")] = 83.0,
@@ -55,6 +55,8 @@ def calibrate(
     json: AsJson = False,
 ) -> None:
     """Find the virtual driver's skill from no-feedback trials alone.
+
+    Collisions are counted as the thesis's code does (the column collisions_legacy).
 
     Example: omnistudy operator calibrate utah2017_component -o virtual_driver.yaml
     """
@@ -106,8 +108,8 @@ def _page(found: Calibration, protocol: str, seed: str) -> str:
         f"#   omnistudy operator calibrate {protocol} --seed {seed}\n"
         f"# Targets (Tyagi 2017, sec. 5.1, without feedback): mean {targets.mean:g}, best of eight "
         f"{targets.best:g},\n"
-        f"# worst of eight {targets.worst:g} collisions. Response from {trials} trials; "
-        f"{found.checked_trials} fresh trials gave {found.checked_mean:.1f}.\n"
+        f"# worst of eight {targets.worst:g} collisions, counted as published. Response from {trials} "
+        f"trials;\n# {found.checked_trials} fresh trials gave {found.checked_mean:.1f}.\n"
         "kind: virtual_driver\n"
         f"skill_median: {found.skill_median}\n"
         f"skill_spread: {found.skill_spread}\n"

@@ -69,6 +69,15 @@ class Decision(Model):
     """Standard deviation of the direction at skill 1."""
     recovery_pace: Annotated[Ratio, Positive] = 0.6
     """Share of full stick while driving away (ours)."""
+    patience: Annotated[Seconds, NonNegative] = 1.0
+    """How long the robot may stand still against the driver's will before he pushes harder (ours):
+    people push a closed door open against the feedback (Tyagi 2017, ch. 4)."""
+    insistence: Annotated[Hertz, NonNegative] = 0.5
+    """How fast the wanted deflection then grows, shares of itself a second (ours)."""
+    greatest_effort: Annotated[Ratio, Field(ge=1)] = 3.0
+    """Most that the wanted deflection grows to (ours): about 30 N at the median arm."""
+    relaxation: Annotated[Seconds, Positive] = 2.0
+    """Time constant with which the effort falls back once the robot moves (ours)."""
 
 
 class Arm(Model):

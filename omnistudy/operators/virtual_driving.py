@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from math import atan2, cos, isnan, pi, sin
+from math import atan2, cos, exp, hypot, inf, isnan, pi, sin
 from typing import Any
 
 from omnistudy.devices import Hand
@@ -18,6 +18,8 @@ from omnistudy.worlds import Situation
 Wish = tuple[float, float, float]
 """Wanted deflection as a share of full stick, x forward, y left, theta counter-clockwise."""
 STILL: Wish = (0.0, 0.0, 0.0)
+STAYS, STAYS_TURNED = 0.05, 0.1
+"""m and rad within which a person sees the robot stay where it is."""
 
 
 class VirtualDriving(RunningOperator):
@@ -53,6 +55,9 @@ class VirtualDriving(RunningOperator):
         self._recovery: Wish = STILL
         self._way: Way | None = None
         self._leg: object = None
+        self._stuck_at = PlanarPose(inf, inf, 0.0)
+        self._stuck_since = 0.0
+        self._effort = 1.0
         self._hand = Hand(STILL, *self._impedance)
 
     def hand(self, t: float, plant_state: Any, situation: Situation) -> Hand:
@@ -66,7 +71,9 @@ class VirtualDriving(RunningOperator):
         noise = 1.0 + self._driver.arm.motor_noise * self._skill * self._motor_noise.step()
         self._wishes.append((t, self._decide(plant_state.pose, situation)))
         acted = self._act(t, plant_state.contacts.bearing, situation)
+        self._insist(t, plant_state.pose, acted, situation)
         reach = self._reach
+        noise *= self._effort
         self._hand = self._hand._replace(
             reference=(
                 self._past_dead_zone(acted[0], 0) * reach[0] * noise,
@@ -74,6 +81,22 @@ class VirtualDriving(RunningOperator):
                 self._past_dead_zone(acted[2], 2) * reach[2] * noise,
             )
         )
+
+    def _insist(self, t: float, pose: PlanarPose, acted: Wish, situation: Situation) -> None:
+        """Push harder while the robot stays where it is against the driver's will; then relax.
+
+        At a wall the message says what to do instead.
+        """
+        decision, stuck = self._driver.decision, self._stuck_at
+        moved = hypot(pose.x - stuck.x, pose.y - stuck.y) > STAYS
+        turned = abs(pose.theta - stuck.theta) > STAYS_TURNED
+        if moved or turned or situation.drive_away or acted == STILL:
+            self._stuck_at, self._stuck_since = pose, t
+        if t - self._stuck_since >= decision.patience:
+            grown = self._effort + decision.insistence * self._dt
+            self._effort = min(decision.greatest_effort, grown)
+        else:
+            self._effort = 1.0 + (self._effort - 1.0) * exp(-self._dt / decision.relaxation)
 
     def _past_dead_zone(self, share: float, axis: int) -> float:
         dead = self._dead[axis]

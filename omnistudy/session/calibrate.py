@@ -1,4 +1,8 @@
-"""Finding a virtual driver's skill from no-feedback trials alone."""
+"""Finding a virtual driver's skill from no-feedback trials alone.
+
+Collisions are counted as the thesis's code does (`collisions_legacy`), for they are held against
+its figures.
+"""
 
 from __future__ import annotations
 
@@ -123,6 +127,6 @@ def _collisions(
 ) -> NDArray[np.float64]:
     counts = []
     for result in run_all(specs, workers):
-        counts.append(float(result.collisions))
+        counts.append(float(result.collisions_legacy))
         driven()
     return np.array(counts)
