@@ -15,8 +15,8 @@ import typer
 from typer.core import TyperCommand, TyperGroup
 from typer.main import get_command, get_group
 
-from omnistudy import __version__
 from omnistudy.errors import OmnistudyError
+from omnistudy.version import VERSION
 
 INTERRUPTED = 130
 """Exit status after Ctrl-C, as shells have it (128 + SIGINT)."""
@@ -81,7 +81,7 @@ root = typer.Typer(
 
 def _print_version(wanted: bool) -> None:
     if wanted:
-        print(f"omnistudy {__version__}")
+        print(f"omnistudy {VERSION}")
         raise typer.Exit
 
 
