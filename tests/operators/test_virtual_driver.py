@@ -296,13 +296,42 @@ def test_a_person_told_to_drive_away_does_so_for_a_while() -> None:
 
 def test_a_touch_without_the_message_changes_nothing() -> None:
     touching = Contacts(walls=("w",), clear=False, bearing=0.5)
-    silent: list[Sight] = [(PlanarPose(1, 0, 0), touching, Situation(AHEAD))] * (2 * HZ)
+    silent: list[Sight] = [(PlanarPose(1, 0, 0), touching, Situation(AHEAD))] * HZ
     told_from_afar: list[Sight] = [
         (PlanarPose(1, 0, 0), Contacts(bearing=nan), Situation(AHEAD, True))
-    ] * (2 * HZ)
-    plain = references(standing(PlanarPose(1, 0, 0), 2.0))
+    ] * HZ
+    plain = references(standing(PlanarPose(1, 0, 0), 1.0))
     assert np.array_equal(references(silent), plain)
     assert np.array_equal(references(told_from_afar), plain)
+
+
+def test_a_robot_that_stays_where_it_is_is_pushed_harder_up_to_three_times() -> None:
+    pulled = references(standing(PlanarPose(1, 0, 0), 8.0))[:, 0]
+    first = pulled[HZ - 1]
+    assert first == pytest.approx(0.9 * FULL)
+    # from the second second on half as much again each second, to three times after five
+    assert pulled[3 * HZ] == pytest.approx((1.0 + 0.5 * 2.0) * first, rel=0.06)
+    assert pulled[-1] == pytest.approx(3.0 * first)
+
+
+def test_at_a_wall_nobody_pushes_harder() -> None:
+    warned: list[Sight] = [
+        (PlanarPose(1, 0, 0), Contacts(clear=False, bearing=nan), Situation(AHEAD, True))
+    ] * (5 * HZ)
+    assert references(warned)[:, 0].max() == pytest.approx(0.9 * FULL)
+
+
+def test_insisting_never_acts_without_feedback() -> None:
+    patient = driver()
+    meek = patient.model_copy(
+        update={"decision": patient.decision.model_copy(update={"greatest_effort": 1.0})}
+    )
+    for seed in SEEDS:
+        one, other = (
+            run_trial(trial(corner_world(), seed=seed, law=NoLaw(), operator=operator))
+            for operator in (patient, meek)
+        )
+        assert one.samples.tobytes() == other.samples.tobytes()
 
 
 def test_noise_grows_with_want_of_skill() -> None:
