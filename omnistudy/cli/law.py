@@ -1,0 +1,143 @@
+"""`omnistudy law`: what laws there are, and what each does alone."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from omnistudy.cli.arguments import AsJson
+from omnistudy.cli.output import print_json, print_line, print_table
+
+if TYPE_CHECKING:
+    from omnistudy.geometry import Matrix3
+    from omnistudy.laws.probe import Probe
+
+app = typer.Typer(no_args_is_help=True)
+
+
+def _kinds() -> list[str]:
+    from omnistudy.registry import kinds
+
+    return list(kinds("laws"))
+
+
+Kind = Annotated[
+    str, typer.Argument(help="Kind of law; `omnistudy law list` names them.", autocompletion=_kinds)
+]
+Settings = Annotated[
+    list[str] | None,
+    typer.Option("--set", metavar="NAME=VALUE", help="Change a parameter; may be repeated."),
+]
+Triple = tuple[float, float, float]
+
+
+@app.command("list")
+def list_laws(as_json: AsJson = False) -> None:
+    """List the kinds of laws, ours and those of installed packages.
+
+    Example: omnistudy law list
+    """
+    from omnistudy.laws.catalogue import catalogue
+
+    entries = catalogue()
+    if as_json:
+        print_json([entry._asdict() for entry in entries])
+    else:
+        print_table("laws", ("kind", "what it does", "from"), entries)
+
+
+@app.command()
+def show(kind: Kind, as_json: AsJson = False) -> None:
+    """Show a law's parameters with their defaults, units and sources.
+
+    Example: omnistudy law show component
+    """
+    from omnistudy.laws.catalogue import entry
+    from omnistudy.registry import load_kind
+    from omnistudy.registry.parameters import parameters
+
+    summary = entry(kind).summary
+    rows = parameters(load_kind("laws", kind))
+    if as_json:
+        listed = [row._asdict() for row in rows]
+        print_json({"kind": kind, "summary": summary, "parameters": listed})
+        return
+    print_line(summary)
+    if rows:
+        print_table(f"parameters of '{kind}'", ("name", "default", "unit", "meaning"), rows)
+
+
+@app.command()
+def probe(
+    kind: Kind,
+    scan: Annotated[Path, typer.Option(help="JSON file: angles (rad), ranges (m), max_range (m).")],
+    twist: Annotated[
+        Triple, typer.Option(metavar="VX VY OMEGA", help="What the stick asks for, m/s and rad/s.")
+    ] = (0.0, 0.0, 0.0),
+    settings: Settings = None,
+    stick: Annotated[
+        Triple, typer.Option(metavar="X Y THETA", help="Where the stick is, m, m and rad.")
+    ] = (0.0, 0.0, 0.0),
+    stick_rate: Annotated[
+        Triple, typer.Option(metavar="X Y THETA", help="How fast the stick moves, m/s and rad/s.")
+    ] = (0.0, 0.0, 0.0),
+    as_json: AsJson = False,
+) -> None:
+    """Print the wrench that a law puts on the hand in one scene, unclipped.
+
+    The stiffness is per movement of the stick under the published `rate` controller.
+
+    Example: omnistudy law probe component --scan wall.json --twist 0.2 0 -0.5
+    """
+    from omnistudy.geometry import PlanarTwist
+    from omnistudy.laws import Sensed
+    from omnistudy.laws.probe import probe
+    from omnistudy.laws.scan_file import read_scan
+    from omnistudy.registry import load_kind
+    from omnistudy.registry.parameters import make_kind
+
+    per_stick: Matrix3 = load_kind("controllers", "rate")().twist_per_stick
+    law = make_kind("laws", kind, settings or ())
+    found = probe(law, Sensed(read_scan(scan), PlanarTwist(*twist), per_stick, stick, stick_rate))
+    if as_json:
+        print_json(found)
+    else:
+        _print_probe(found)
+
+
+def _print_probe(found: Probe) -> None:
+    forces = (("fx", found.fx, "N"), ("fy", found.fy, "N"), ("tau", found.tau, "N·m"))
+    print_table(f"'{found.kind}' on the hand", ("part", "value", "unit"), forces)
+    rows = [(part, *row) for part, row in zip(("fx", "fy", "tau"), found.stiffness, strict=True)]
+    print_table("stiffness (per m, m, rad)", ("part", "x", "y", "theta"), rows)
+    if found.n is not None:
+        print_line(f"rays that touch the boundary: {found.n}")
+
+
+@app.command()
+def draw(
+    kind: Kind,
+    output: Annotated[Path, typer.Option("--output", "-o", help="Picture: .svg or .png.")],
+    scan: Annotated[
+        Path | None, typer.Option(help="Draw this one scene instead of the four standard ones.")
+    ] = None,
+    settings: Settings = None,
+    force: Annotated[bool, typer.Option("--force", help="Replace an existing file.")] = False,
+) -> None:
+    """Draw what a law does: beside walls, or in one scene.
+
+    Example: omnistudy law draw component -o component.svg
+    """
+    from omnistudy.laws.drawing import draw_field
+    from omnistudy.laws.scan_file import read_scan
+    from omnistudy.laws.scene_drawing import draw_scene
+    from omnistudy.registry.parameters import make_kind
+
+    law = make_kind("laws", kind, settings or ())
+    if scan is None:
+        draw_field(law, output, replace=force)
+    else:
+        draw_scene(law, read_scan(scan), output, replace=force)
+    print_line(f"drawn: {output}")
