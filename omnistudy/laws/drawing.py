@@ -55,6 +55,7 @@ def draw_field(law: Law, path: Path, replace: bool = False) -> None:
         for axes, scene, asked in zip(panels, STANDARD_SCENES, answers, strict=True):
             arrows = _draw_scene(axes, scene, asked, shade)
         figure.suptitle(f"law '{law.kind}': force and torque on the hand, robot facing right")
+        axes.quiverkey(arrows, 0.0, -0.32, 10.0, "10 N", labelpos="E", color="0.3")
         figure.colorbar(
             arrows, ax=figure.axes, shrink=0.7, label="torque in N·m, counter-clockwise positive"
         )
@@ -63,7 +64,7 @@ def draw_field(law: Law, path: Path, replace: bool = False) -> None:
 def _ask(law: Law, scene: StandardScene) -> Iterator[Asked]:
     """Ask the law wherever the robot fits."""
     for pose, scan in scene.scans(GRID_STEP):
-        if _ROBOT.penetrations(scan) is None:
+        if scan.ranges.min() > _ROBOT.half_width and _ROBOT.penetrations(scan) is None:
             sensed = Sensed(scan, PlanarTwist(0.0, 0.0, 0.0), ZERO_MATRIX)
             yield Asked(pose, law.field(sensed).wrench)
 
@@ -90,7 +91,6 @@ def _draw_scene(
         scale=NEWTONS_PER_METRE_DRAWN,
         width=0.006,
     )
-    axes.quiverkey(arrows, 0.88, 1.05, 10.0, "10 N", labelpos="E", color="0.3")
     outline(axes, _ROBOT, asked[0].pose, "0.6")
     return arrows
 

@@ -38,7 +38,7 @@ def draw_scene(law: Law, scan: Scan, path: Path, replace: bool = False) -> None:
     """
     wrench = law.field(Sensed(scan, PlanarTwist(0.0, 0.0, 0.0), ZERO_MATRIX)).wrench
     with picture(path, replace) as figure:
-        figure.set_size_inches(6.0, 6.4)
+        figure.set_size_inches(6.0, 6.8)
         axes = figure.subplots()
         axes.set(
             aspect="equal",
@@ -54,6 +54,7 @@ def draw_scene(law: Law, scan: Scan, path: Path, replace: bool = False) -> None:
             outline(axes, boundary, CENTRE, "0.55", "--")
         _draw_wrench(axes, wrench)
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.1), ncols=3, frameon=False)
+        axes.title.set_fontsize(9.0)
 
 
 def _draw_rays(axes: Axes, scan: Scan) -> None:
