@@ -25,7 +25,9 @@ Exit status: 0 done, 1 failed (one sentence says why), 2 wrong usage, 130 stoppe
 def commands() -> Iterator[tuple[str, TyperCommand | TyperGroup, typer.Context]]:
     """Give every command with its full name ("omnistudy law probe") and its context."""
     tree = command_tree()
-    yield from _below("omnistudy", tree, typer.Context(tree, info_name="omnistudy"))
+    yield from _below(
+        "omnistudy", tree, typer.Context(tree, info_name="omnistudy", **tree.context_settings)
+    )
 
 
 def _below(
@@ -49,7 +51,7 @@ def page() -> str:
         context.terminal_width = WIDTH
         lines = command.get_help(context).rstrip().splitlines()
         text = "\n".join(line.rstrip() for line in lines)
-        parts.append(f"{'#' * min(2 + path.count(' '), 3)} {path}\n\n```text\n{text}\n```\n")
+        parts.append(f"{'###' if path.count(' ') > 1 else '##'} {path}\n\n```text\n{text}\n```\n")
     return "\n".join(parts)
 
 

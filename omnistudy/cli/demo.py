@@ -12,7 +12,7 @@ from omnistudy.cli.output import print_json, print_line
 if TYPE_CHECKING:
     from pathlib import Path
 
-app = typer.Typer()
+app = typer.Typer(add_completion=False)
 
 STUDY = "utah2017_component"
 ARMS = "utah2017_arm_stiffness"
