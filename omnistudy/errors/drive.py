@@ -64,13 +64,3 @@ class NotABarnFolder(OmnistudyError):
             f"{folder} holds no world_N.world: give the folder of BARN worlds, with path_N.npy "
             "beside each"
         )
-
-
-class BrokenBarnFile(OmnistudyError):
-    """A file of the BARN benchmark that is not as BARN writes it."""
-
-    def __init__(self, file: Path, fault: str) -> None:
-        super().__init__(
-            f"{file}: {fault}; BARN worlds are SDF with upright cylinders, and path_N.npy holds "
-            "rows of grid cells: fetch the file again"
-        )

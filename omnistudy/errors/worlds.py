@@ -34,3 +34,24 @@ class BrokenWorld(OmnistudyError):
         super().__init__("\n".join(faults))
         self.page = page
         self.faults = tuple(faults)
+
+
+class BrokenSdf(OmnistudyError):
+    """A Gazebo world that cannot be imported."""
+
+    def __init__(self, file: Path, fault: str) -> None:
+        super().__init__(f"{file}: {fault}; boxes, cylinders and planes in SDF can be imported")
+
+
+class BrokenPath(OmnistudyError):
+    """A file of path points that cannot be read."""
+
+    def __init__(self, file: Path, fault: str) -> None:
+        super().__init__(f"{file}: {fault}; a path is a .npy array or a .csv of rows x, y")
+
+
+class WorldExists(OmnistudyError):
+    """A page that an import would overwrite."""
+
+    def __init__(self, file: Path) -> None:
+        super().__init__(f"{file} exists already: give another name, or --force to replace it")

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from omnistudy.cli import app as cli
-from omnistudy.errors.drive import BrokenBarnFile, NotABarnFolder
+from omnistudy.errors.drive import NotABarnFolder
+from omnistudy.errors.worlds import BrokenPath
 from omnistudy.scene import Cylinder
 from omnistudy.session.barn import barn_world, barn_worlds
 from omnistudy.session.drive import drive_worlds
@@ -65,33 +66,10 @@ def test_folder_without_worlds_is_told(tmp_path: Path, folder: str) -> None:
         barn_worlds(tmp_path / folder)
 
 
-def test_broken_worlds_are_told(tmp_path: Path) -> None:
-    box = MODEL.format(name="crate", x=0, y=0, shape="<box><size>1 1 1</size></box>")
-    with pytest.raises(BrokenBarnFile, match="model 'crate' is a box"):
-        barn_world(write_world(tmp_path, 1, box))
-    bare = MODEL.format(name="post", x="", y="", shape=POST).replace("0 0 0 0", "")
-    with pytest.raises(BrokenBarnFile, match="model 'post' lacks a pose"):
-        barn_world(write_world(tmp_path, 1, bare))
-    thin = MODEL.format(name="post", x=0, y=0, shape=POST.replace("0.075", "0"))
-    with pytest.raises(BrokenBarnFile, match="model 'post' lacks a pose, a radius"):
-        barn_world(write_world(tmp_path, 1, thin))
+def test_world_without_its_path_is_told(tmp_path: Path) -> None:
     file = write_world(tmp_path, 1)
-    file.write_text("<sdf", encoding="utf-8")
-    with pytest.raises(BrokenBarnFile, match="no SDF world"):
-        barn_world(file)
-
-
-def test_broken_paths_are_told(tmp_path: Path) -> None:
-    file = write_world(tmp_path, 1)
-    path = tmp_path / "path_1.npy"
-    np.save(path, np.zeros((3, 3)))
-    with pytest.raises(BrokenBarnFile, match=r"its shape is \(3, 3\)"):
-        barn_world(file)
-    path.write_bytes(b"text")
-    with pytest.raises(BrokenBarnFile, match="no array of numpy"):
-        barn_world(file)
-    path.unlink()
-    with pytest.raises(BrokenBarnFile, match="there is no such file"):
+    (tmp_path / "path_1.npy").unlink()
+    with pytest.raises(BrokenPath, match="there is no such file"):
         barn_world(file)
 
 

@@ -1,0 +1,29 @@
+"""A way through a world as a file of points."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from omnistudy.errors.worlds import BrokenPath
+from omnistudy.worlds.route import Point
+
+
+def read_path(file: Path, step: float = 1.0, first: Point = (0.0, 0.0)) -> tuple[Point, ...]:
+    """Read rows (i, j) from .npy or .csv and give x = step·i + first x, y = step·j + first y, m.
+
+    Raises BrokenPath.
+    """
+    try:
+        if file.suffix == ".npy":
+            rows = np.load(file, allow_pickle=False)
+        else:
+            rows = np.loadtxt(file, delimiter=",", ndmin=2)
+    except FileNotFoundError:
+        raise BrokenPath(file, "there is no such file") from None
+    except (OSError, ValueError, EOFError) as cause:
+        raise BrokenPath(file, f"it cannot be read as numbers ({cause})") from cause
+    if rows.ndim != 2 or rows.shape[1] != 2 or not len(rows):
+        raise BrokenPath(file, f"its shape is {rows.shape}, not (rows, 2)")
+    return tuple((step * float(i) + first[0], step * float(j) + first[1]) for i, j in rows)
