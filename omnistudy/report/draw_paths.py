@@ -36,7 +36,7 @@ def draw_paths(
             axes.set_axis_off()
         for axes, paths in zip(grid.flat, conditions, strict=False):
             if world is not None:
-                draw_plan(world, axes)
+                draw_plan(world, axes, routes=False, labels=False)
             axes.set_axis_off()
             axes.set_aspect("equal")
             axes.set_xlim(left, right)

@@ -27,7 +27,7 @@ def draw_trials(driven: Sequence[Rehearsed], path: Path) -> None:
         for axes, one in zip(
             figure.subplots(1, len(driven), squeeze=False)[0], driven, strict=True
         ):
-            draw_plan(one.world, axes, routes=False)
+            draw_plan(one.world, axes, routes=False, labels=False)
             axes.set_axis_off()
             _draw_way(axes, one, palette[one.condition])
         figure.subplots_adjust(left=0.02, right=0.98, top=0.92, bottom=0.02, wspace=0.04)

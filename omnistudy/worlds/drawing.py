@@ -34,27 +34,33 @@ FOOTPRINT = (0.58, 0.38)
 MARGIN = 0.4
 """Free space in m round what is drawn."""
 
+LABEL_MARGIN = 1.4
+"""The same at the sides where names of regions stand."""
+
 
 def draw_plan(
     world: World,
     axes: Axes,
     *,
     routes: bool = True,
+    labels: bool = True,
     footprint: tuple[float, float] = FOOTPRINT,
 ) -> None:
     """Draw a world seen from above, one unit a metre, with a scale and no frame.
 
     routes : False leaves the ways out, for driven paths to be drawn over the plan.
+    labels : False leaves the names of regions out, where there is no room beside the plan.
     footprint : length and width in m of the robot at the start.
     """
-    _draw_regions(world, axes)
+    _draw_regions(world, axes, labels)
     _draw_bodies(world.scene.bodies, axes)
     if routes:
         _draw_routes(world, axes)
     _draw_start(world.start.pose, footprint, axes)
     low, high = extent(world)
     axes.set_aspect("equal")
-    axes.set_xlim(low[0] - MARGIN, high[0] + MARGIN)
+    aside = LABEL_MARGIN if labels and world.regions else MARGIN
+    axes.set_xlim(low[0] - aside, high[0] + aside)
     axes.set_ylim(low[1] - 2 * MARGIN, high[1] + MARGIN)
     axes.set_axis_off()
     _draw_scale(low, high, axes)
@@ -81,10 +87,12 @@ def _rectangle(pose: PlanarPose, length: float, width: float) -> Points:
     return np.array([pose.to_world(*c) for c in ((x, y), (-x, y), (-x, -y), (x, -y))])
 
 
-def _draw_regions(world: World, axes: Axes) -> None:
+def _draw_regions(world: World, axes: Axes, labels: bool) -> None:
     for region in world.regions:
         tint = TINTS.get(region.group, "#ececea")
         axes.add_patch(_polygon(np.array(region.polygon), facecolor=tint, zorder=0))
+        if not labels:
+            continue
         place = label_place(region, world)
         group = f"{region.group} part" if region.group else ""
         axes.text(

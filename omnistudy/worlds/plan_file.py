@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from omnistudy.errors.pictures import PictureExists, UnknownPictureFormat
-from omnistudy.worlds.drawing import draw_plan, extent
+from omnistudy.worlds.drawing import LABEL_MARGIN, draw_plan, extent
 from omnistudy.worlds.world import World
 
 METADATA: dict[str, dict[str, Any]] = {
@@ -32,7 +32,7 @@ def write_plan(world: World, path: Path, *, replace: bool = False) -> None:
     from matplotlib.figure import Figure
 
     low, high = extent(world)
-    width, height = (high - low) + 1.2
+    width, height = (high - low) + 2 * LABEL_MARGIN
     scale = LONGEST_SIDE / max(width, height)
     with mpl.rc_context():
         mpl.rcdefaults()
