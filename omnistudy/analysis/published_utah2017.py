@@ -149,6 +149,7 @@ CLAIMS = (
         "without",
         "mean",
         FIGURE_3,
+        calibrated=True,
     ),
     PublishedClaim(
         "best_without_max",
@@ -199,6 +200,7 @@ CLAIMS = (
         "without",
         "approximate",
         FIGURE_4,
+        calibrated=True,
     ),
     PublishedClaim(
         "worst_without_first",

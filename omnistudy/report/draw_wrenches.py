@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from textwrap import wrap
+
 import numpy as np
 from matplotlib.figure import Figure
 
@@ -22,27 +24,27 @@ def draw_wrenches(traces: tuple[WrenchTrace, ...], key: str, alt: str, kind: str
         watermark(figure, kind)
         grid = figure.subplots(len(traces), 3, sharex="row", squeeze=False)
         figure.subplots_adjust(
-            left=0.175,
+            left=0.2,
             right=0.99,
             top=1 - 0.42 / height,
             bottom=0.42 / height,
             hspace=0.25,
             wspace=0.22,
         )
-        for row, trace in zip(grid, traces, strict=True):
+        for number, (row, trace) in enumerate(zip(grid, traces, strict=True)):
             seconds = trace.t - trace.t[0] if len(trace.t) else trace.t
             for axes, (name, title), limit in zip(row, COLUMNS, limits, strict=True):
                 axes.axhline(0.0, color=LINE, lw=0.8, zorder=1)
                 axes.plot(seconds, getattr(trace, name), color=palette[trace.condition], lw=0.9)
                 axes.set_ylim(-limit, limit)
-                axes.tick_params(labelsize=7.5, labelbottom=row is grid[-1])
+                axes.tick_params(labelsize=7.5, labelbottom=number == len(traces) - 1)
                 axes.locator_params(axis="y", nbins=3)
-                if row is grid[0]:
+                if number == 0:
                     axes.set_title(title, color=MUTED, fontsize=8.5)
             row[0].text(
-                -0.34,
+                -0.3,
                 0.5,
-                name_of(trace.condition).replace(" ", "\n", 1),
+                "\n".join(wrap(name_of(trace.condition), 12)),
                 color=INK,
                 fontsize=8.5,
                 transform=row[0].transAxes,
