@@ -33,6 +33,12 @@ def test_a_wall_ahead_square_on_and_aslant() -> None:
     assert found == pytest.approx([2.0, 2.0 * 13 / 12, 2.0 * 13 / 12, 5.0, 5.0])
 
 
+def test_a_wall_ends_where_it_ends() -> None:
+    within, past = float(np.arctan2(0.999, 2.0)), float(np.arctan2(1.001, 2.0))
+    found = ranges(AHEAD, angles=[within, past, -within, -past])
+    assert found == pytest.approx([sqrt(4 + 0.999**2), 5.0, sqrt(4 + 0.999**2), 5.0])
+
+
 def test_no_ray_looks_backwards() -> None:
     assert ranges(AHEAD, angles=[pi, pi / 2, -pi / 2]) == [5.0, 5.0, 5.0]
 

@@ -61,10 +61,11 @@ def beside(tmp_path: Path) -> Path:
 def answer(beside: Path, code: str) -> Any:
     """Run code in a fresh Python that finds the package, and give what it prints as JSON."""
     environment = {name: text for name, text in os.environ.items() if name != "OMNISTUDY_CONF"}
+    path = os.pathsep.join(filter(None, [str(beside), os.environ.get("PYTHONPATH")]))
     run = subprocess.run(
         [sys.executable, "-c", dedent(code)],
         cwd=beside,
-        env=environment | {"PYTHONPATH": str(beside)},
+        env=environment | {"PYTHONPATH": path},
         capture_output=True,
         text=True,
         check=False,
