@@ -56,7 +56,7 @@ def test_no_file_is_too_long(committed: list[Path]) -> None:
     lengths = {
         str(path.relative_to(ROOT)): len(path.read_text(encoding="utf-8").splitlines())
         for path in committed
-        if path.suffix in WRITTEN_BY_HAND
+        if path.suffix in WRITTEN_BY_HAND and path.parent.name != "reference"
     }
     assert {name: n for name, n in lengths.items() if n > LONGEST} == {}
 

@@ -78,7 +78,7 @@ class RectangularBoundary(Boundary):
 
     def reach(self, angles: Floats) -> Floats:
         """Give min(X/|cos a|, Y/|sin a|), X and Y being half sizes with their layers, in m."""
-        with np.errstate(divide="ignore"):
+        with np.errstate(divide="ignore", over="ignore"):
             ahead = (self.half_length + self.layer_x) / np.abs(np.cos(angles))
             aside = (self.half_width + self.layer_y) / np.abs(np.sin(angles))
         return np.minimum(ahead, aside)
