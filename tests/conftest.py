@@ -11,11 +11,19 @@ from collections.abc import Callable, Generator, Sequence
 from pathlib import Path
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 ROOT = Path(__file__).resolve().parent.parent
 SHARED_DATA = ROOT.parent / "shared" / "data"
 NOT_RUN = "not run"
 """Name of the property under which a test reports what it left out on purpose."""
+
+
+# No test depends on how fast or how busy a machine is, nor on luck.
+settings.register_profile(
+    "omnistudy", deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow]
+)
+settings.load_profile("omnistudy")
 
 
 @pytest.fixture(scope="session")

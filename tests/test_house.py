@@ -18,6 +18,7 @@ LONGEST = 400
 """Lines; past this a file surely says more than one thing."""
 
 WRITTEN_BY_HAND = {".py", ".md", ".yaml", ".toml", ".js", ".css", ".html", ".j2"}
+WRITTEN_BY_PROGRAMS = ROOT / "docs" / "reference"
 FORBIDDEN = tuple(
     re.compile(left + right)
     for left, right in (
