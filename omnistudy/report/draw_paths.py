@@ -15,6 +15,8 @@ from omnistudy.worlds.drawing import draw_plan
 
 ACROSS = 2
 WIDTH = 7.6
+SCALE_ROOM = 1.0
+"""m below the plan, where its scale stands."""
 
 
 def draw_paths(
@@ -70,14 +72,14 @@ def _extent(
         for x, y in zip(path.x, path.y, strict=True)
     ]
     if world is not None:
-        for body in world.bodies:
+        for body in world.scene.bodies:
             size = body.geometry
             reach = hypot(size.x, size.y) / 2 if size.shape == "box" else size.radius
             points += [(body.x - reach, body.y - reach), (body.x + reach, body.y + reach)]
     if not points:
         return -1.0, 1.0, -1.0, 1.0
     xs, ys = zip(*points, strict=True)
-    return min(xs) - 0.2, max(xs) + 0.2, min(ys) - 0.2, max(ys) + 0.2
+    return min(xs) - 0.2, max(xs) + 0.2, min(ys) - SCALE_ROOM, max(ys) + 0.2
 
 
 def path_tables(conditions: tuple[DrivenPaths, ...]) -> tuple[DataTable, DataTable]:

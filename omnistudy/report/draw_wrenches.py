@@ -6,6 +6,7 @@ from textwrap import wrap
 
 import numpy as np
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
 from omnistudy.analysis.wrench import WrenchTrace
 from omnistudy.report.picture import DataTable, to_svg, watermark
@@ -32,7 +33,7 @@ def draw_wrenches(traces: tuple[WrenchTrace, ...], key: str, alt: str, kind: str
             wspace=0.22,
         )
         for number, (row, trace) in enumerate(zip(grid, traces, strict=True)):
-            seconds = trace.t - trace.t[0] if len(trace.t) else trace.t
+            seconds = _broken(trace.t - trace.t[0]) if len(trace.t) else trace.t
             for axes, (name, title), limit in zip(row, COLUMNS, limits, strict=True):
                 axes.axhline(0.0, color=LINE, lw=0.8, zorder=1)
                 axes.plot(seconds, getattr(trace, name), color=palette[trace.condition], lw=0.9)
@@ -53,6 +54,12 @@ def draw_wrenches(traces: tuple[WrenchTrace, ...], key: str, alt: str, kind: str
             )
         grid[-1][1].set_xlabel("s since this part was entered", fontsize=8.5)
         return to_svg(figure, key, alt)
+
+
+def _broken(seconds: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Leave out the instants after which the part was left for a while, so that no line joins."""
+    steps = np.diff(seconds, append=seconds[-1])
+    return np.where(steps > 2.0 * np.median(steps), np.nan, seconds)
 
 
 def wrench_tables(traces: tuple[WrenchTrace, ...]) -> tuple[DataTable, DataTable]:

@@ -90,8 +90,8 @@ def limits(report: Report) -> tuple[str, ...]:
         )
     if report.comparison:
         general += [
-            f"Only the mean of the condition “{name_of(WITHOUT)}” was calibrated; all else follows "
-            "from it and from the prior.",
+            f"The driver was calibrated on “{name_of(WITHOUT)}” alone: on its mean and on the best "
+            "and the worst of eight people; all else follows from that and from the prior.",
             "The map is ours, made from the thesis's bill of materials; its plan is lost, so route "
             "length, corners and with them the number of collisions need not agree.",
             "In the published order T7-T10 always come last: condition and practice are confounded "
@@ -104,8 +104,8 @@ def limits(report: Report) -> tuple[str, ...]:
         ]
     if report.times.left_out:
         general.append(
-            f"{report.times.left_out} trials ran out of time; mean times leave them out and are "
-            "too short by that."
+            f"Out of time: {report.times.left_out} of the trials; mean times leave them out and "
+            "are too short by that."
         )
     misses = [row.claim.quantity for row in report.comparison if row.verdict == "miss"]
     if misses:
