@@ -13,7 +13,7 @@ class Recording(Model):
     """Rates in Hz. Physics is the fastest; samples are taken every whole number of steps."""
 
     physics_hz: Annotated[int, Field(ge=60, le=1000)] = 240
-    """PyBullet's own default step (spec sim.md)."""
+    """PyBullet's own default step."""
     scan_hz: Annotated[int, Field(ge=1, le=240)] = 50
     """Lidar and law; real lidars give 40-50 Hz (Tyagi 2017, sec. 2.4)."""
     sample_hz: Annotated[int, Field(ge=1, le=240)] = 20

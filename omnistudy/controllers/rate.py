@@ -15,7 +15,7 @@ from omnistudy.units import Metres, Positive, Ratio
 
 
 class RateController(Controller):
-    """Counts, limits, dead zones and gains of the firmware (Tyagi 2017, App. B; omni.md 2, 5)."""
+    """Counts, limits, dead zones and gains of the firmware (Tyagi 2017, App. B)."""
 
     kind: Literal["rate"] = "rate"
     scale: StickScale = StickScale()
@@ -78,7 +78,7 @@ class RateController(Controller):
     def control(
         self, device: DeviceState, plant_state: Any, scan: Scan | None, state: Any, dt: float
     ) -> Control:
-        """Turn about the compliance centre: vy = stick's vy - omega·c (omni.md 5)."""
+        """Turn about the compliance centre: vy = stick's vy - omega·c."""
         twist = self.intent(device.position)
         vx, vy, omega = twist
         return Control(twist, PlanarTwist(vx, vy - omega * self._numbers[-1], omega))

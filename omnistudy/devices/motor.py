@@ -6,7 +6,7 @@ from __future__ import annotations
 def motor_counts_as_published(
     force: float, centring: float, gravity: float, limit: float = 255.0
 ) -> float:
-    """Give the net of the two pins as the firmware drives them (Tyagi 2017, App. B; omni.md 2).
+    """Give the net of the two pins as the firmware drives them (Tyagi 2017, App. B).
 
     Force and centring are split by sign, added per pin and each pin clipped to 0..255; gravity
     rides on the pin chosen by the sign of the centring effort, and what turns negative is lost.

@@ -16,7 +16,7 @@ DEGREES_PER_COUNT = 360.0 / 1440.0
 
 
 class Axis(Model):
-    """One motor of the stick, in the firmware's units (Tyagi 2017, eq. 3.2, App. B; omni.md 2).
+    """One motor of the stick, in the firmware's units (Tyagi 2017, eq. 3.2, App. B).
 
     psi/u = gain/(s(s + pole)): psi in motor degrees, u in PWM counts.
     """
@@ -36,7 +36,7 @@ class Axis(Model):
 
 
 class SimulatedStick(Device):
-    """Stick, firmware and hand, advanced in lockstep (Tyagi 2017, ch. 2-3; omni.md 2)."""
+    """Stick, firmware and hand, advanced in lockstep (Tyagi 2017, ch. 2-3)."""
 
     kind: Literal["simulated_stick"] = "simulated_stick"
     scale: StickScale = StickScale()

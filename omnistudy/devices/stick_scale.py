@@ -10,7 +10,7 @@ from omnistudy.units import Metres, Positive, Ratio
 
 
 class StickScale(Model):
-    """Counts per degree of the handle and the handle's length (Tyagi 2017, App. B; omni.md 2).
+    """Counts per degree of the handle and the handle's length (Tyagi 2017, App. B).
 
     The thesis's three counts-per-degree figures disagree with its 15:1 capstan and 1440 counts per
     turn (60 per degree); they are kept as the firmware has them.

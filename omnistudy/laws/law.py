@@ -13,7 +13,7 @@ class Sensed(NamedTuple):
     """All that a law may know.
 
     scan : ranges around the robot.
-    twist : what the stick asks for, before the compliance-centre shift (spec 4.3), m/s, rad/s.
+    twist : what the stick asks for, before the compliance-centre shift, m/s, rad/s.
     twist_per_stick : 3x3, d(twist)/d(stick), (m/s)/m, (rad/s)/rad.
     stick, stick_rate : position (m, m, rad) and rate of the stick.
     """

@@ -28,7 +28,7 @@ NonNegative = Field(ge=0)
 
 
 class Perception(Model):
-    """What the driver sees and how badly (analysis.md 5.2)."""
+    """What the driver sees and how badly (docs/virtual-driver.md)."""
 
     rate: Annotated[Hertz, Positive] = 20.0
     preview: Annotated[Metres, Positive] = 0.7
@@ -45,7 +45,7 @@ class Perception(Model):
 
 
 class Decision(Model):
-    """From what is seen to what is wanted (analysis.md 5.2)."""
+    """From what is seen to what is wanted (docs/virtual-driver.md)."""
 
     lateral_gain: Annotated[Ratio, NonNegative] = 1.2
     """Lateral speed per lateral error, 1/s."""
@@ -81,7 +81,7 @@ class Decision(Model):
 
 
 class Arm(Model):
-    """Hand and arm at the handle: a mass, damper and spring an axis (analysis.md 5.2)."""
+    """Hand and arm at the handle: a mass, damper and spring an axis (docs/virtual-driver.md)."""
 
     stiffness_median: Annotated[NewtonsPerMetre, Positive] = 200.0
     """Prior over people: log-normal (docs/virtual-driver.md gives the sources)."""
@@ -100,7 +100,7 @@ class Arm(Model):
 
 
 class StickSense(Model):
-    """What the driver has learnt of the stick while practising (omni.md 2)."""
+    """What the driver has learnt of the stick while practising."""
 
     full_travel: Annotated[Metres, Positive] = 0.04145
     """Handle travel for full speed: 300 counts."""
@@ -119,7 +119,7 @@ class StickSense(Model):
 
 
 class VirtualDriver(Operator):
-    """The minimal honest driver of analysis.md 5.2; feedback reaches it only as force.
+    """The minimal honest driver (docs/virtual-driver.md): feedback reaches it only as force.
 
     `skill` 0 is perfect. Person n-th trial: skill = first · n^-learning. `skill_median` and
     `skill_spread` are calibrated on no-feedback trials alone (`omnistudy operator calibrate`).

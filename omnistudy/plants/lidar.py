@@ -14,7 +14,7 @@ from omnistudy.units import Metres, Positive, Radians
 
 
 class Lidar(Model):
-    """Rays at equal steps round the robot's centre (Tyagi 2017, sec. 2.4; omni.md 4.1)."""
+    """Rays at equal steps round the robot's centre (Tyagi 2017, sec. 2.4)."""
 
     rays: Annotated[int, Field(ge=4, le=2048)] = 128
     """128 rays are 2.8125 degrees apart."""

@@ -18,7 +18,7 @@ WheelSpeeds = tuple[float, float, float, float]
 
 
 class Youbot(Plant):
-    """Mecanum base with a perfect speed loop (Tyagi 2017, sec. 2.4; omni.md 3.1, 3.3)."""
+    """Mecanum base with a perfect speed loop (Tyagi 2017, sec. 2.4)."""
 
     kind: Literal["youbot"] = "youbot"
     half_length: Annotated[Metres, Positive] = 0.29
@@ -33,7 +33,7 @@ class Youbot(Plant):
     contact_tolerance: Annotated[Metres, Field(ge=0)] = 1e-4
     """A gap up to this counts as touching, so that resting contact does not flicker."""
     release_gap: Annotated[Metres, Positive] = 0.005
-    """A touched wall is left once it is further off than this (omni.md 11)."""
+    """A touched wall is left once it is further off than this (ours)."""
     lidar: Lidar = Lidar()
 
     @property

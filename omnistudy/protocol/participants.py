@@ -27,6 +27,6 @@ class SessionLimits(Model):
     """Time that one participant gives in one session."""
 
     longest: Annotated[Seconds, Positive, Field(le=3600.0)] = 3600.0
-    """At most one hour a person (Tyagi 2017, ch. 5; spec 7)."""
+    """At most one hour a person (Tyagi 2017, ch. 5)."""
     pause: Annotated[Seconds, Field(ge=0.0)] = 60.0
     """Planned between two trials (ours)."""

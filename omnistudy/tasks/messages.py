@@ -6,7 +6,7 @@ from omnistudy.registry import Model
 
 
 class Messages(Model):
-    """One language's sentences; `{number}` is filled in (Tyagi 2017, App. B; omni.md 6.4)."""
+    """One language's sentences; `{number}` is filled in (Tyagi 2017, App. B)."""
 
     language: str
     drive_away: str

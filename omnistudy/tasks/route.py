@@ -12,7 +12,7 @@ from omnistudy.worlds import Leg, Situation, World
 
 
 class RouteTask(Task):
-    """Blocks in order, finish, time limit (Tyagi 2017, ch. 4; omni.md 6.3, 6.4)."""
+    """Blocks in order, finish, time limit (Tyagi 2017, ch. 4)."""
 
     kind: Literal["route"] = "route"
     top_speed: Annotated[MetresPerSecond, Positive] = 0.36

@@ -6,13 +6,13 @@ from omnistudy.channel import Event
 from omnistudy.scene import Contacts
 
 RELEASE_TIME = 0.25
-"""s that the robot must stay clear before the next contact is a new collision (omni.md 11)."""
+"""s that the robot must stay clear before the next contact is a new collision (ours)."""
 
 
 class CollisionCounter:
     """Follows the wall contacts of one trial.
 
-    `legacy` counts rising edges of one flag for all walls (omni.md 11); `count` opens at first
+    `legacy` counts rising edges of one flag for all walls; `count` opens at first
     contact and closes once the robot has been clear, by the plant's release gap, for 0.25 s.
     """
 

@@ -28,7 +28,7 @@ REACH = 0.5
 """Distance in m between the end of a leg and its target up to which a robot touches it."""
 
 EQUAL = 0.02
-"""Relative difference up to which routes are equally long (omni.md 6.3, 11)."""
+"""Relative difference up to which routes are equally long."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -29,7 +29,7 @@ TINTS = {"blue": "#d8e6fb", "green": "#d9f0de"}
 """Tint of the regions of a group; other groups are grey."""
 
 FOOTPRINT = (0.58, 0.38)
-"""Length and width in m of the robot drawn at the start (omni.md 3.1)."""
+"""Length and width in m of the robot drawn at the start."""
 
 MARGIN = 0.4
 """Free space in m round what is drawn."""

@@ -78,7 +78,7 @@ def test_sign_flip_agrees_with_every_pattern_written_out() -> None:
     ]
     by_hand = sum(value >= 8.0 for value in sums) / 16
     assert sign_flip(differences, "s").p == by_hand == 0.25
-    assert sign_flip(np.full(8, 5.0), "s").p == pytest.approx(2 / 2**8)  # analysis.md: 0.0078
+    assert sign_flip(np.full(8, 5.0), "s").p == pytest.approx(2 / 2**8)  # 0.0078
 
 
 def test_sign_flip_of_many_pairs_is_drawn_from_the_seed_and_near_the_exact_one() -> None:

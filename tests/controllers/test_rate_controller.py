@@ -82,7 +82,7 @@ def test_the_compliance_centre_is_where_a_pure_twist_turns_the_robot(centre: flo
 
 
 def test_the_compliance_centre_shifts_the_command_but_not_what_laws_damp() -> None:
-    # vy -= omega·c (omni.md 5)
+    # vy -= omega·c
     result = command(RateController(compliance_centre=0.2), 100, 200, -250)
     assert result.intent == pytest.approx((0.12, 0.24, -1.2))
     assert result.command == pytest.approx((0.12, 0.24 + 1.2 * 0.2, -1.2))

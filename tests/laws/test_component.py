@@ -1,6 +1,6 @@
 """The component law, against arithmetic done by hand in the thesis's own units.
 
-37.5 and 24 PWM per cm, 315 PWM per cm·m; 255 PWM are 13.5 N or 4.4 N·m (spec 4.3). The boundary
+37.5 and 24 PWM per cm, 315 PWM per cm·m; 255 PWM are 13.5 N or 4.4 N·m. The boundary
 lies 0.44 m ahead and 0.31 m aside.
 """
 

@@ -1,4 +1,4 @@
-"""As published: the angle of the ray before, two decimals, a far clip of 0.5 m (spec 4.5)."""
+"""As published: the angle of the ray before, two decimals, a far clip of 0.5 m."""
 
 from __future__ import annotations
 

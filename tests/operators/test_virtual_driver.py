@@ -1,4 +1,4 @@
-"""The virtual driver: what it may know, and what must follow from that (analysis.md 5)."""
+"""The virtual driver: what it may know, and what must follow from that (docs/virtual-driver.md)."""
 
 from __future__ import annotations
 
@@ -195,7 +195,7 @@ def test_a_quantile_gives_everybody_the_same_arm_and_leaves_the_rest_alone() -> 
 def test_impedance_of_the_median_arm() -> None:
     virtual = VirtualDriver(arm_stiffness_quantile=0.5)
     arm = virtual.impedance(virtual.traits("anybody"))
-    # zeta 0.7 on 0.9 kg: 1.4·sqrt(200·0.9) = 18.78 N·s/m (analysis.md 5.2)
+    # zeta 0.7 on 0.9 kg: 1.4·sqrt(200·0.9) = 18.78 N·s/m (docs/virtual-driver.md)
     assert arm.stiffness == pytest.approx((200.0, 200.0, 2.0))
     assert arm.damping == pytest.approx((18.783, 18.783, 0.1), rel=1e-4)
     assert arm.mass == (0.8, 0.8, 0.003)

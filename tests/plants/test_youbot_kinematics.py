@@ -11,7 +11,7 @@ from omnistudy.plants.youbot import Youbot
 @pytest.mark.parametrize(
     ("twist", "wheels"),
     [
-        # front left, front right, rear left, rear right; 1/R = 20, l/R = 5.8 (omni.md 3.1)
+        # front left, front right, rear left, rear right; 1/R = 20, l/R = 5.8
         (PlanarTwist(0.3, 0, 0), (6, 6, 6, 6)),
         (PlanarTwist(0, 0.2, 0), (-4, 4, 4, -4)),
         (PlanarTwist(0, 0, 1), (-5.8, 5.8, -5.8, 5.8)),

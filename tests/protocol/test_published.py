@@ -1,4 +1,4 @@
-"""The two protocols that come with omnistudy say what the thesis says (omni.md 7)."""
+"""The two protocols that come with omnistudy say what the thesis says."""
 
 from __future__ import annotations
 

@@ -327,7 +327,7 @@ def test_what_a_plant_lacks_is_nan_and_what_it_has_more_is_a_stream() -> None:
 def test_a_door_is_pushed_open_against_the_feedback_by_who_means_it(
     arm: float, opened: bool
 ) -> None:
-    # the law sees a wall where the door is; at most 13.5 N of it reach the hand (omni.md 6)
+    # the law sees a wall where the door is; at most 13.5 N of it reach the hand
     world = straight_world(half_width=0.55)
     world = world.model_copy(update={"bodies": (*world.bodies, door(1.0))})
     spec = trial(world, law=ComponentLaw(), operator=Stuck(seconds=12.0, arm=arm))

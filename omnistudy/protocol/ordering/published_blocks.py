@@ -14,8 +14,8 @@ from omnistudy.protocol.ordering.order import Order
 class PublishedBlocks(Order):
     """Blocks of one condition each, rotated from slot to slot, then the same last trials for all.
 
-    Tyagi 2017, sec. 5.1 (spec 7). Only the blocks are counterbalanced: the last trials always come
-    last in one order, so their conditions are confounded with practice (spec 11).
+    Tyagi 2017, sec. 5.1. Only the blocks are counterbalanced: the last trials always come
+    last in one order, so their conditions are confounded with practice.
     """
 
     kind: Literal["published_blocks"] = "published_blocks"
