@@ -96,9 +96,7 @@ def _page_parameters(wanted: Callable[[Block], bool]) -> list[object]:
     for page in PAGES:
         text = page.read_text(encoding="utf-8")
         if any(wanted(block) for block in blocks(text)):
-            marks = [pytest.mark.slow] if "<!-- slow page -->" in text else []
-            name = str(page.relative_to(ROOT))
-            parameters.append(pytest.param(page, id=name, marks=marks))
+            parameters.append(pytest.param(page, id=str(page.relative_to(ROOT))))
     return parameters
 
 
@@ -132,6 +130,7 @@ def test_links_lead_somewhere(page: Path) -> None:
     assert broken == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "page", _page_parameters(lambda b: b.reason is None and b.language in RUNNABLE)
 )

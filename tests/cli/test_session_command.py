@@ -88,6 +88,7 @@ def test_a_calibration_never_overwrites_a_page(
 
 
 @pytest.mark.slow
+@pytest.mark.slow
 def test_the_quick_demo_draws_two_trials(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], studies: Path
 ) -> None:
@@ -97,6 +98,7 @@ def test_the_quick_demo_draws_two_trials(
     assert (studies / "demo_quick.png").read_bytes().startswith(b"\x89PNG")
 
 
+@pytest.mark.slow
 @pytest.mark.slow
 def test_the_demo_makes_both_studies_and_the_report_and_goes_on_where_it_was(
     monkeypatch: pytest.MonkeyPatch,

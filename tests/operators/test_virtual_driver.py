@@ -107,6 +107,7 @@ def test_feedback_helps_a_common_arm() -> None:
     assert collisions(drives(ComponentLaw)) < 0.5 * collisions(drives(NoLaw))
 
 
+@pytest.mark.slow
 def test_a_very_stiff_arm_takes_the_feedback_away() -> None:
     # nothing moves such an arm, so the drive is the one without feedback, collisions and all
     for felt, unfelt in zip(drives(ComponentLaw, 1e7), drives(NoLaw, 1e7), strict=True):
@@ -116,6 +117,7 @@ def test_a_very_stiff_arm_takes_the_feedback_away() -> None:
     assert min(paths_apart(felt, unfelt) for felt, unfelt in common) > 0.1
 
 
+@pytest.mark.slow
 def test_collisions_do_not_increase_as_the_arm_gets_softer() -> None:
     counted = [collisions(drives(ComponentLaw, stiffer)) for stiffer in (16.0, 4.0, 1.0, 0.25)]
     assert counted == sorted(counted, reverse=True)
@@ -123,12 +125,14 @@ def test_collisions_do_not_increase_as_the_arm_gets_softer() -> None:
     assert counted[0] > 10
 
 
+@pytest.mark.slow
 def test_arm_stiffness_does_not_matter_without_feedback() -> None:
     soft, common, stiff = (collisions(drives(NoLaw, stiffer)) for stiffer in (0.25, 1.0, 1e7))
     assert 0.6 < soft / common < 1.6
     assert 0.6 < stiff / common < 1.6
 
 
+@pytest.mark.slow
 def test_flipped_torque_is_worse() -> None:
     right, flipped = drives(ComponentLaw), drives(FlippedLaw)
     assert collisions(flipped) > collisions(right)
@@ -141,6 +145,7 @@ def test_a_perfect_driver_never_collides(law: type[Law]) -> None:
         assert (result.status, result.collisions, result.contact_time_s) == ("completed", 0, 0.0)
 
 
+@pytest.mark.slow
 @pytest.mark.slow
 @pytest.mark.parametrize("route", ["red-green-blue", "red-blue-green", "blue-green-red"])
 def test_a_perfect_driver_never_collides_in_the_published_world(route: str) -> None:

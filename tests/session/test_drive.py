@@ -53,6 +53,7 @@ def test_way_that_is_shut_is_stuck_at_the_wall() -> None:
     assert drive.collisions > 0
 
 
+@pytest.mark.slow
 def test_drives_are_the_same_on_one_core_and_two() -> None:
     worlds = [straight_world(1.5), closed_world()]
     told: list[Drive] = []

@@ -252,6 +252,7 @@ def test_command_tells_mistakes_in_one_line(
 
 
 @pytest.mark.slow
+@pytest.mark.slow
 def test_real_drives_end_where_physics_lets_them(shared_data: Path) -> None:
     """Robust facts only: nothing here is fitted to the four drives.
 

@@ -26,6 +26,7 @@ from omnistudy.trial import TrialSpec, resimulate
 TRIALS = 12
 
 
+@pytest.mark.slow
 def test_every_planned_trial_is_run_and_sessions_are_closed(short_study: Path) -> None:
     told: list[int] = []
     summary = run_trials(short_study, finished=lambda trial, result: told.append(trial.id))
@@ -45,6 +46,7 @@ def test_every_planned_trial_is_run_and_sessions_are_closed(short_study: Path) -
             assert row.path_length_m == pytest.approx(driven, rel=0.02)
 
 
+@pytest.mark.slow
 def test_conditions_without_a_law_have_no_force_at_all(short_study: Path) -> None:
     run_trials(short_study, participants=("P01",))
     with omnistudy.open(short_study) as study:
@@ -54,6 +56,7 @@ def test_conditions_without_a_law_have_no_force_at_all(short_study: Path) -> Non
             assert (forces == 0.0).all() == (row.condition == "none")
 
 
+@pytest.mark.slow
 def test_order_that_ran_is_the_order_that_was_planned(short_study: Path) -> None:
     with StudyWriter.open(short_study) as writer:
         planned = [(t.participant_code, t.position, t.condition, t.route) for t in writer.trials()]
@@ -66,6 +69,7 @@ def test_order_that_ran_is_the_order_that_was_planned(short_study: Path) -> None
     assert ran == planned
 
 
+@pytest.mark.slow
 def test_one_worker_two_workers_and_another_process_give_the_same_sample_bytes(
     short_protocol: Protocol, tmp_path: Path
 ) -> None:
@@ -84,6 +88,7 @@ def test_one_worker_two_workers_and_another_process_give_the_same_sample_bytes(
     assert len(set(digests)) == 1
 
 
+@pytest.mark.slow
 def test_run_that_was_killed_goes_on_and_ends_like_an_unbroken_one(
     short_protocol: Protocol, tmp_path: Path
 ) -> None:
