@@ -12,8 +12,8 @@ from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
 from omnistudy.protocol import Protocol
-from omnistudy.protocol.summary import metadata_of, unit_of
 from omnistudy.registry import load_kind
+from omnistudy.registry.field_unit import metadata_of, unit_of
 from omnistudy.registry.kinds import BUILT_IN
 
 PAGE = Path(__file__).parent / "reference" / "protocol.md"

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
-from typing import NamedTuple, get_args
+from typing import NamedTuple
 
-from pydantic import BaseModel, WithJsonSchema
-from pydantic.fields import FieldInfo
+from pydantic import BaseModel
 
 from omnistudy.protocol.completion import PARTS
 from omnistudy.protocol.diff import Difference, diff
 from omnistudy.protocol.protocol import Protocol
+from omnistudy.registry.field_unit import unit_of
 
 
 class Setting(NamedTuple):
@@ -56,26 +56,6 @@ def parts_of(protocol: Protocol) -> Iterator[tuple[str, BaseModel]]:
             own = getattr(condition, name, None)
             if own is not None and own.kind != base.kind:
                 yield f"{name} of {condition.name}", own
-
-
-def unit_of(field: FieldInfo) -> str:
-    """Give the unit of a field, "" for what has none."""
-    for item in metadata_of(field):
-        if isinstance(item, WithJsonSchema) and item.json_schema is not None:
-            return str(item.json_schema.get("unit", ""))
-    return ""
-
-
-def metadata_of(field: FieldInfo) -> Iterator[object]:
-    """Give what is annotated to a field, inside `... | None` too."""
-    yield from field.metadata
-    yield from _annotated(field.annotation)
-
-
-def _annotated(annotation: object) -> Iterator[object]:
-    yield from getattr(annotation, "__metadata__", ())
-    for part in get_args(annotation):
-        yield from _annotated(part)
 
 
 def _settings(part: BaseModel, prefix: str) -> Iterator[Setting]:

@@ -2,17 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple, get_args
 
-from pydantic import BaseModel, ValidationError, WithJsonSchema
+from pydantic import BaseModel, ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails
 
-from omnistudy.errors import nearest
+from omnistudy.errors import OmnistudyError, nearest
+from omnistudy.registry.field_unit import unit_of
+from omnistudy.registry.kinds import BUILT_IN, load_kind
 
 REPEATED_LONGEST = 60
 """Characters of what was given that are repeated."""
+
+
+class Fault(NamedTuple):
+    """One fault: its path on the page, and a sentence that says what is wrong there."""
+
+    path: str
+    sentence: str
 
 
 class _Place(NamedTuple):
@@ -32,42 +41,46 @@ def explain(
     tree : the page's content, which lends the path the names of list items.
     where : the page, as its reader knows it.
     """
-    return tuple(
-        f"{where}: {_sentence(fault, _place(fault, model, tree))}"
-        for fault in error.errors(include_url=False)
-    )
+    return tuple(f"{where}: {fault.path}: {fault.sentence}" for fault in faults(error, model, tree))
+
+
+def faults(error: ValidationError, model: type[BaseModel], tree: Any) -> tuple[Fault, ...]:
+    """Give every fault with its path, walking through the models that kinds select."""
+    found = []
+    for detail in error.errors(include_url=False):
+        place = _place(detail["loc"], model, tree)
+        found.append(Fault(place.path or "the whole page", _sentence(detail, place)))
+    return tuple(found)
 
 
 def _sentence(fault: ErrorDetails, place: _Place) -> str:
     if fault["type"] == "extra_forbidden":
         keys = list(dict.fromkeys(key for model in place.around for key in model.model_fields))
-        key = str(fault["loc"][-1])
-        return f"{place.path}: unknown key; the keys here are {', '.join(keys)}{nearest(key, keys)}"
+        hint = nearest(str(fault["loc"][-1]), keys)
+        return f"unknown key; the keys here are {', '.join(keys)}{hint}"
     if fault["type"] == "missing":
-        return f"{place.path}: is missing and has no default"
-    if fault["type"] in ("model_type", "dict_type"):
-        return f"{place.path}: given {_shortened(fault['input'])}, but a mapping of keys is needed"
-    reason = fault["msg"].removeprefix("Value error, ").replace("Input should", "it should")
-    unit = _unit(place.field)
+        return "is missing and has no default"
+    if fault["type"].startswith("kind_"):
+        return fault["msg"]
     given = _shortened(fault["input"])
-    return f"{place.path}: given {given}, but {reason}{f' (in {unit})' if unit else ''}"
+    if fault["type"] in ("model_type", "dict_type"):
+        return f"given {given}, but a mapping of keys is needed"
+    reason = fault["msg"].removeprefix("Value error, ").replace("Input should", "it should")
+    unit = unit_of(place.field)
+    in_unit = f" (in {unit})" if unit and f" in {unit}" not in reason else ""
+    return f"given {given}, but {reason}{in_unit}"
 
 
-def _shortened(value: Any) -> str:
-    text = repr(value)
-    return text if len(text) <= REPEATED_LONGEST else f"{text[:REPEATED_LONGEST]}..."
-
-
-def _place(fault: ErrorDetails, model: type[BaseModel], tree: Any) -> _Place:
-    """Walk from the root of the page to the fault, through the models on the way."""
+def _place(steps: Sequence[str | int], model: type[BaseModel], tree: Any) -> _Place:
+    """Walk from the root of the page to a fault along its steps."""
     path: list[str] = []
     around: tuple[type[BaseModel], ...] = (model,)
     models = around
     field: FieldInfo | None = None
     value = tree
-    for step in fault["loc"]:
-        tagged = tuple(found for found in models if _shape(found) == step)
-        if tagged:
+    for step in steps:
+        tagged = tuple(found for found in models if _tag(found) == step)
+        if tagged and not (isinstance(value, Mapping) and step in value):
             models = around = tagged
             continue
         value = _inside(value, step)
@@ -75,8 +88,8 @@ def _place(fault: ErrorDetails, model: type[BaseModel], tree: Any) -> _Place:
         if isinstance(step, str):
             around = models
             field = next((m.model_fields[step] for m in models if step in m.model_fields), None)
-            models = _models_in(field.annotation if field else None)
-    return _Place(".".join(path) or "the whole page", around, field)
+            models = _selected(step, value) or _models_in(field.annotation if field else None)
+    return _Place(".".join(path), around, field)
 
 
 def _inside(value: Any, step: str | int) -> Any:
@@ -90,7 +103,18 @@ def _label(step: str | int, value: Any) -> str:
     """Call an item of a list by its name where it has one, else by its place from 1."""
     if isinstance(step, str):
         return step
-    return str(value.get("name", step + 1)) if isinstance(value, Mapping) else str(step + 1)
+    named = value if isinstance(value, Mapping) else {}
+    return str(named.get("name") or named.get("factor") or step + 1)
+
+
+def _selected(key: str, value: Any) -> tuple[type[BaseModel], ...]:
+    """Give the model that the `kind` under a key such as `law` selects."""
+    if f"{key}s" not in BUILT_IN or not isinstance(value, Mapping):
+        return ()
+    try:
+        return (load_kind(f"{key}s", str(value.get("kind"))),)
+    except OmnistudyError:
+        return ()
 
 
 def _models_in(annotation: Any) -> tuple[type[BaseModel], ...]:
@@ -99,14 +123,14 @@ def _models_in(annotation: Any) -> tuple[type[BaseModel], ...]:
     return tuple(model for part in get_args(annotation) for model in _models_in(part))
 
 
-def _shape(model: type[BaseModel]) -> Any:
+def _tag(model: type[BaseModel]) -> Any:
     """Give what pydantic puts on the path for one member of a tagged union."""
-    field = model.model_fields.get("shape")
-    return field.default if field else None
+    for key in ("kind", "shape"):
+        if key in model.model_fields:
+            return model.model_fields[key].default
+    return None
 
 
-def _unit(field: FieldInfo | None) -> str:
-    for item in field.metadata if field else ():
-        if isinstance(item, WithJsonSchema) and item.json_schema is not None:
-            return str(item.json_schema.get("unit", ""))
-    return ""
+def _shortened(value: Any) -> str:
+    text = repr(value)
+    return text if len(text) <= REPEATED_LONGEST else f"{text[:REPEATED_LONGEST]}..."

@@ -6,11 +6,12 @@ from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 import yaml
-from pydantic import BaseModel, ValidationError, WithJsonSchema
+from pydantic import BaseModel, ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails, PydanticUndefined
 
 from omnistudy.errors.parameters import BadParameter, NotASetting, UnknownParameter
+from omnistudy.registry.field_unit import unit_of
 from omnistudy.registry.kinds import load_kind
 
 
@@ -41,19 +42,12 @@ def _parameters(model: type[BaseModel], prefix: str) -> Iterator[Parameter]:
             yield from _parameters(type(default), f"{prefix}{name}.")
         elif name != "kind":
             meaning = " ".join((field.description or "").split())
-            yield Parameter(prefix + name, default, _unit(field), meaning)
+            yield Parameter(prefix + name, default, unit_of(field), meaning)
 
 
 def _default(field: FieldInfo) -> Any:
     default = field.get_default(call_default_factory=True, validated_data={})
     return None if default is PydanticUndefined else default
-
-
-def _unit(field: FieldInfo) -> str:
-    for item in field.metadata:
-        if isinstance(item, WithJsonSchema) and item.json_schema is not None:
-            return str(item.json_schema.get("unit", ""))
-    return ""
 
 
 def make_kind(group: str, kind: str, settings: Sequence[str] = ()) -> Any:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from omnistudy.controllers import Control
 from omnistudy.devices import DeviceState
-from omnistudy.geometry import NO_FORCE, PlanarTwist, Scan
+from omnistudy.geometry import NO_FORCE, PlanarTwist, Scan, Vector3
 from omnistudy.laws import Sensed
 from omnistudy.plants import RunningPlant
 from omnistudy.trial.collisions import CollisionCounter
@@ -90,8 +90,8 @@ class _Loop:
                 scan,
                 PlanarTwist(*self._control.intent),
                 self._spec.controller.twist_per_stick,
-                device.position[:3],  # type: ignore[arg-type]
-                device.rate[:3],  # type: ignore[arg-type]
+                _first_three(device.position),
+                _first_three(device.rate),
             )
         )
         self._source.render(self._field)
@@ -144,3 +144,9 @@ class _Loop:
             samples=self._recorder.samples(),
             streams=self._recorder.streams(),
         )
+
+
+def _first_three(values: tuple[float, ...]) -> Vector3:
+    """Give the axes that a law's field is written in."""
+    x, y, theta, *_ = values
+    return (x, y, theta)
