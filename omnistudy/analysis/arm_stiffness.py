@@ -17,11 +17,15 @@ FACTOR = "arm_stiffness_quantile"
 
 @dataclass(frozen=True, slots=True)
 class CurvePoint:
-    """Collisions with feedback when every arm stands at one quantile of its prior."""
+    """Collisions with feedback when every arm stands at one quantile of its prior.
+
+    timed_out : how many of the trials ran out of time; they count with the collisions until then.
+    """
 
     quantile: float
     condition: str
     collisions: Estimate
+    timed_out: int
     values: tuple[Value, ...]
 
 
@@ -67,8 +71,9 @@ def arm_stiffness_curve(tables: StudyTables, column: str) -> ArmStiffnessCurve:
             ].itertuples(index=False)
         )
         condition = str(trials["condition"].iloc[0])
+        timed_out = int((ran["status"] == "timed_out").sum())
         collisions = estimate((value.value for value in values), "1")
-        points.append(CurvePoint(quantile, condition, collisions, values))
+        points.append(CurvePoint(quantile, condition, collisions, timed_out, values))
     return ArmStiffnessCurve(
         tables.name,
         tuple(points),

@@ -3,10 +3,11 @@
 The rule. A claim without feedback has a 95 % bootstrap interval over participants. A claim that
 needs feedback has an interval over the prior of arm stiffness, which no trial without feedback can
 reveal: from the lowest to the highest value over the quantiles of the arm-stiffness study, or,
-without that study, over groups drawn again from participants who each carry a draw of the prior.
+without that study or where a number needs more than its one trial a quantile, over groups drawn
+again from participants who each carry a draw of the prior.
 A claim is a hit when its interval and ours have a value in common, a miss when they have none,
 open when ours could not be computed (a test's p is never drawn again, so it needs the arm-stiffness
-study); what the driver was calibrated on is neither.
+study); what the driver was calibrated on is neither, and whether it agrees is said all the same.
 """
 
 from __future__ import annotations
@@ -30,9 +31,9 @@ Verdict = Literal["calibrated", "hit", "miss", "open"]
 GROUPS = 2000
 """Groups drawn for a bootstrap interval."""
 
-OVER_PRIOR = "lowest to highest over the quantiles of the arm-stiffness prior"
-OVER_PARTICIPANTS = f"95 % of {GROUPS} groups drawn again from the participants"
-OVER_DRAWS = f"{OVER_PARTICIPANTS}, each with their own draw of the arm-stiffness prior"
+OVER_PRIOR = "range over the prior"
+OVER_PARTICIPANTS = "95 % over participants"
+OVER_DRAWS = "95 % over participants and their arms"
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,6 +49,11 @@ class ComparisonRow:
     method: str
     participants: int
     verdict: Verdict
+
+    @property
+    def agrees(self) -> bool:
+        """Tell whether the thesis's value and our interval have a number in common."""
+        return self.claim.reads_as.meets(self.interval)
 
 
 def compare(

@@ -14,6 +14,9 @@ import numpy as np
 from omnistudy.analysis.pairs import Grid, Pairs
 from omnistudy.analysis.sign_flip import sign_flip
 
+TRIALS = 3
+"""Trials with, and trials without feedback of each person in the thesis (sec. 4.5)."""
+
 Statistic = Callable[[Pairs, str], float]
 """A group's paired trials and a seed text in, one number out."""
 
@@ -29,6 +32,15 @@ def _row_means(values: Grid) -> Grid:
 
 
 def _most(values: Grid) -> float:
+    """Give the largest of a person's values; NaN below TRIALS of them, for that would be lower."""
+    return _largest(values) if np.isfinite(values).sum() >= TRIALS else nan
+
+
+def _most_later(values: Grid) -> float:
+    return _largest(values[1:]) if np.isfinite(values).sum() >= TRIALS else nan
+
+
+def _largest(values: Grid) -> float:
     finite = values[np.isfinite(values)]
     return float(finite.max()) if finite.size else nan
 
@@ -84,10 +96,6 @@ def _first(values: Grid) -> float:
 
 def _third(values: Grid) -> float:
     return mean(_trial(values, 3))
-
-
-def _most_later(values: Grid) -> float:
-    return _most(values[1:])
 
 
 def _p_collisions(pairs: Pairs, seed: str) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -31,6 +32,12 @@ Settings = Annotated[
     typer.Option("--set", metavar="NAME=VALUE", help="Change a parameter; may be repeated."),
 ]
 Triple = tuple[float, float, float]
+
+
+def _finite(values: Triple) -> Triple:
+    if not all(map(isfinite, values)):
+        raise typer.BadParameter("three finite numbers are needed")
+    return values
 
 
 @app.command("list")
@@ -74,14 +81,23 @@ def probe(
     kind: Kind,
     scan: Annotated[Path, typer.Option(help="JSON file: angles (rad), ranges (m), max_range (m).")],
     twist: Annotated[
-        Triple, typer.Option(metavar="VX VY OMEGA", help="What the stick asks for, m/s and rad/s.")
+        Triple,
+        typer.Option(
+            metavar="VX VY OMEGA", help="What the stick asks for, m/s and rad/s.", callback=_finite
+        ),
     ] = (0.0, 0.0, 0.0),
     settings: Settings = None,
     stick: Annotated[
-        Triple, typer.Option(metavar="X Y THETA", help="Where the stick is, m, m and rad.")
+        Triple,
+        typer.Option(
+            metavar="X Y THETA", help="Where the stick is, m, m and rad.", callback=_finite
+        ),
     ] = (0.0, 0.0, 0.0),
     stick_rate: Annotated[
-        Triple, typer.Option(metavar="X Y THETA", help="How fast the stick moves, m/s and rad/s.")
+        Triple,
+        typer.Option(
+            metavar="X Y THETA", help="How fast the stick moves, m/s and rad/s.", callback=_finite
+        ),
     ] = (0.0, 0.0, 0.0),
     as_json: AsJson = False,
 ) -> None:

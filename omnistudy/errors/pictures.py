@@ -13,6 +13,15 @@ class UnknownPictureFormat(OmnistudyError):
         super().__init__(f"{path}: pictures can be {' or '.join(allowed)}; give one of these names")
 
 
+class PictureNotWritten(OmnistudyError):
+    """A picture that its folder or disk does not take."""
+
+    def __init__(self, path: Path, cause: str) -> None:
+        super().__init__(
+            f"{path} cannot be written ({cause}): give a file in a folder that exists and is yours"
+        )
+
+
 class PictureExists(OmnistudyError):
     """A picture that would overwrite a file."""
 

@@ -7,11 +7,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from omnistudy.geometry import ZERO_MATRIX, PlanarPose, PlanarTwist, PlanarWrench
-from omnistudy.laws.boundary import Boundary, RectangularBoundary
+from omnistudy.geometry import ZERO_MATRIX, PlanarPose, PlanarTwist
 from omnistudy.laws.law import Law, Sensed
 from omnistudy.laws.picture import picture
-from omnistudy.laws.standard_scenes import STANDARD_SCENES, StandardScene
+from omnistudy.laws.probe import Probe, probe
+from omnistudy.laws.robot_drawing import CLOCKWISE, COUNTER_CLOCKWISE, INK, ROBOT, draw_robot
+from omnistudy.laws.standard_scenes import STANDARD_SCENES, VIEW, StandardScene
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -24,89 +25,75 @@ GRID_STEP = 0.1
 NEWTONS_PER_METRE_DRAWN = 60.0
 """An arrow of 1 m in the picture is this force."""
 
-CLOCKWISE = "#c1121f"
-COUNTER_CLOCKWISE = "#6a0dad"
-"""Red clockwise and purple counter-clockwise, as the thesis drew torque (appendix B)."""
-
-_ROBOT = RectangularBoundary(layer_x=0.0, layer_y=0.0)
-
 
 @dataclass(frozen=True, slots=True)
 class Asked:
     """A place of the robot and what the law gives there, standing still."""
 
     pose: PlanarPose
-    wrench: PlanarWrench
+    found: Probe
 
 
 def draw_field(law: Law, path: Path, replace: bool = False) -> None:
     """Draw force arrows, coloured by torque, for a robot that faces +x in four scenes.
 
-    Raises UnknownPictureFormat or PictureExists.
+    Raises UnknownPictureFormat, PictureExists or NoForce.
     """
-    answers = [tuple(_ask(law, scene)) for scene in STANDARD_SCENES]
-    largest = max((abs(asked.wrench.tau) for scene in answers for asked in scene), default=0.0)
     with picture(path, replace) as figure:
         from matplotlib.colors import Normalize
 
-        figure.set_size_inches(8.0, 6.4)
-        shade = Normalize(-largest, largest) if largest > 0.0 else Normalize(-1.0, 1.0)
+        answers = [tuple(_ask(law, scene)) for scene in STANDARD_SCENES]
+        largest = max(abs(asked.found.tau) for scene in answers for asked in scene)
+        shade = Normalize(-largest or -1.0, largest or 1.0)
+        figure.set_size_inches(9.0, 5.4)
         panels = figure.subplots(2, 2).flat
         for axes, scene, asked in zip(panels, STANDARD_SCENES, answers, strict=True):
-            arrows = _draw_scene(axes, scene, asked, shade)
-        figure.suptitle(f"law '{law.kind}': force and torque on the hand, robot facing right")
-        axes.quiverkey(arrows, 0.0, -0.32, 10.0, "10 N", labelpos="E", color="0.3")
-        figure.colorbar(
-            arrows, ax=figure.axes, shrink=0.7, label="torque in N·m, counter-clockwise positive"
-        )
+            arrows = _draw_scene(axes, law, scene, asked, shade)
+        figure.suptitle(f"law '{law.kind}': what the hand feels where the robot stands", color=INK)
+        axes.quiverkey(arrows, 0.84, 0.03, 10.0, "10 N", labelpos="E", color=INK)
+        bar = figure.colorbar(arrows, ax=figure.axes, shrink=0.75, aspect=30)
+        bar.set_label("torque in N·m: purple turns counter-clockwise, red clockwise")
 
 
 def _ask(law: Law, scene: StandardScene) -> Iterator[Asked]:
     """Ask the law wherever the robot fits."""
     for pose, scan in scene.scans(GRID_STEP):
-        if scan.ranges.min() > _ROBOT.half_width and _ROBOT.penetrations(scan) is None:
-            sensed = Sensed(scan, PlanarTwist(0.0, 0.0, 0.0), ZERO_MATRIX)
-            yield Asked(pose, law.field(sensed).wrench)
+        if ROBOT.penetrations(scan) is None:
+            yield Asked(pose, probe(law, Sensed(scan, PlanarTwist(0.0, 0.0, 0.0), ZERO_MATRIX)))
 
 
 def _draw_scene(
-    axes: Axes, scene: StandardScene, asked: tuple[Asked, ...], shade: Normalize
+    axes: Axes, law: Law, scene: StandardScene, asked: tuple[Asked, ...], shade: Normalize
 ) -> Quiver:
-    axes.set(title=scene.title, aspect="equal", xlabel="x in m", ylabel="y in m")
+    left, low = scene.middle[0] - VIEW[0] / 2, scene.middle[1] - VIEW[1] / 2
+    axes.set(xlim=(left, left + VIEW[0]), ylim=(low, low + VIEW[1]), aspect="equal")
+    axes.set_title(scene.title, color=INK, fontsize=10.0)
+    axes.set_axis_off()
+    draw_robot(axes, law, PlanarPose(*scene.shown, 0.0))
     for wall in scene.walls:
-        axes.plot(*zip(*wall, strict=True), color="black", linewidth=3, solid_capstyle="butt")
+        axes.plot(*zip(*wall, strict=True), color=INK, linewidth=4, solid_capstyle="butt", zorder=2)
     x = [at.pose.x for at in asked]
     y = [at.pose.y for at in asked]
-    axes.plot(x, y, ".", color="0.8", markersize=2)
+    axes.plot(x, y, ".", color="#aab0b8", markersize=2.5, zorder=2)
     arrows = axes.quiver(
         x,
         y,
-        [at.wrench.fx for at in asked],
-        [at.wrench.fy for at in asked],
-        [at.wrench.tau for at in asked],
+        [at.found.fx for at in asked],
+        [at.found.fy for at in asked],
+        [at.found.tau for at in asked],
         cmap=_torque_colours(),
         norm=shade,
         angles="xy",
         scale_units="xy",
         scale=NEWTONS_PER_METRE_DRAWN,
-        width=0.006,
+        units="inches",
+        width=0.025,
+        zorder=3,
     )
-    outline(axes, _ROBOT, asked[0].pose, "0.6")
     return arrows
-
-
-def outline(axes: Axes, boundary: Boundary, pose: PlanarPose, colour: str, line: str = "-") -> None:
-    """Draw a boundary round a robot at a pose."""
-    import numpy as np
-
-    angles = np.linspace(-np.pi, np.pi, 721)
-    reach = boundary.reach(angles)
-    x = pose.x + reach * np.cos(angles + pose.theta)
-    y = pose.y + reach * np.sin(angles + pose.theta)
-    axes.plot(x, y, line, color=colour, linewidth=0.8)
 
 
 def _torque_colours() -> LinearSegmentedColormap:
     from matplotlib.colors import LinearSegmentedColormap
 
-    return LinearSegmentedColormap.from_list("torque", [CLOCKWISE, "#b8b8b8", COUNTER_CLOCKWISE])
+    return LinearSegmentedColormap.from_list("torque", [CLOCKWISE, "#8a9099", COUNTER_CLOCKWISE])

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from omnistudy.errors.pictures import PictureExists, UnknownPictureFormat
+from omnistudy.errors.pictures import PictureExists, PictureNotWritten, UnknownPictureFormat
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -23,7 +24,8 @@ _METADATA: dict[str, dict[str, Any]] = {
 def picture(path: Path, replace: bool) -> Iterator[Figure]:
     """Give an empty figure and save it as .svg or .png once it is drawn.
 
-    Raises UnknownPictureFormat, or PictureExists unless `replace`, before anything is drawn.
+    Raises UnknownPictureFormat, or PictureExists unless `replace`, before anything is drawn, and
+    PictureNotWritten after.
     """
     if path.suffix not in _METADATA:
         raise UnknownPictureFormat(path, _METADATA)
@@ -37,4 +39,10 @@ def picture(path: Path, replace: bool) -> Iterator[Figure]:
         mpl.rcParams.update({"svg.hashsalt": "omnistudy", "font.size": 9.0})
         figure = Figure(layout="constrained", facecolor="white")
         yield figure
-        figure.savefig(path, dpi=150, metadata=_METADATA[path.suffix])
+        drawn = BytesIO()
+        kind = path.suffix.removeprefix(".")
+        figure.savefig(drawn, format=kind, dpi=150, metadata=_METADATA[path.suffix])
+    try:
+        path.write_bytes(drawn.getvalue())
+    except OSError as refused:
+        raise PictureNotWritten(path, refused.strerror or str(refused)) from refused

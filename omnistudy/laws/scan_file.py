@@ -31,13 +31,15 @@ def read_scan(path: Path) -> Scan:
 
 def _content(path: Path) -> dict[str, Any]:
     try:
-        content = json.loads(path.read_text(encoding="utf-8"))
+        content = json.loads(path.read_text(encoding="utf-8"), parse_int=float)
     except OSError as refused:
         raise BadScanFile(path, f"cannot be read ({refused.strerror})") from None
     except UnicodeDecodeError:
         raise BadScanFile(path, "is not text") from None
     except json.JSONDecodeError as fault:
         raise BadScanFile(path, f"is not JSON (line {fault.lineno}: {fault.msg})") from None
+    except RecursionError:
+        raise BadScanFile(path, "is nested too deeply") from None
     if not isinstance(content, dict):
         raise BadScanFile(path, "holds no JSON object")
     return content
@@ -59,10 +61,10 @@ def _numbers(path: Path, content: dict[str, Any], key: str) -> list[float]:
 
 
 def _number(path: Path, name: str, value: Any) -> float:
-    if isinstance(value, bool) or not isinstance(value, int | float):
+    if not isinstance(value, float):
         raise BadScanFile(path, f"{name} is {json.dumps(value)} and not a number")
     if not isfinite(value):
         raise BadScanFile(
             path, f"{name} is not finite; a ray that met nothing holds the value of max_range"
         )
-    return float(value)
+    return value

@@ -1,105 +1,128 @@
-"""What a law does in one scene, drawn as the thesis drew it (Tyagi 2017, App. B)."""
+"""What a law does in one scene: the scan, the springs that touch, the wrench on the hand."""
 
 from __future__ import annotations
 
-from math import pi
+from math import hypot
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from omnistudy.geometry import ZERO_MATRIX, PlanarPose, PlanarTwist, PlanarWrench, Scan
-from omnistudy.laws.boundary import Boundary, RectangularBoundary
-from omnistudy.laws.drawing import CLOCKWISE, COUNTER_CLOCKWISE, NEWTONS_PER_METRE_DRAWN, outline
+from omnistudy.geometry import ZERO_MATRIX, PlanarPose, PlanarTwist, Scan
 from omnistudy.laws.law import Law, Sensed
 from omnistudy.laws.picture import picture
+from omnistudy.laws.probe import Probe, probe
+from omnistudy.laws.robot_drawing import CLOCKWISE, COUNTER_CLOCKWISE, INK, draw_robot
+from omnistudy.laws.springs import SpringLaw
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-RAY = "#8ecae6"
-FRONT_RAY = "#5fb878"
-"""Rays light blue, those of the front sector green."""
-FORCE_X, FORCE_Y, RESULTANT = "#2a9d4b", "#1d4ed8", "#6b7280"
-FRONT = 33.75 * pi / 180.0
-"""Half the front sector: rays 52 to 76 of 128."""
-TORQUE_RADIUS = 0.12
-"""m, of the arc that shows the torque."""
-FULL_TORQUE = 4.4
-"""N·m that is drawn as half a turn: what the stick can give."""
-ROBOT = RectangularBoundary(layer_x=0.0, layer_y=0.0)
-CENTRE = PlanarPose(0.0, 0.0, 0.0)
+ALONG_X = "#2b8a3e"
+ALONG_Y = "#1864ab"
+"""Green along x and blue along y, as the thesis drew them (appendix B)."""
+
+SPRING = "#e8590c"
+
+NEWTONS_PER_METRE_DRAWN = 40.0
+"""An arrow of 1 m in the picture is this force."""
+
+LEAST_DRAWN = 1e-3
+"""N or N·m below which a part gets no arrow."""
+
+ARC_RADIUS = 0.13
+ARC_PER_NEWTON_METRE = 0.35
+"""rad of arc for one N·m, up to a turn that stays readable."""
+LONGEST_ARC = 4.5
+
+SHOWN_AROUND = 0.75
+"""m to each side of the robot that are always in the picture."""
 
 
 def draw_scene(law: Law, scan: Scan, path: Path, replace: bool = False) -> None:
-    """Draw rays, boundary, hit points and the wrench on a robot that stands still, facing up.
+    """Draw what the scan saw, the springs inside the boundary, and force and torque at rest.
 
-    Raises UnknownPictureFormat or PictureExists.
+    Raises UnknownPictureFormat, PictureExists or NoForce.
     """
-    wrench = law.field(Sensed(scan, PlanarTwist(0.0, 0.0, 0.0), ZERO_MATRIX)).wrench
     with picture(path, replace) as figure:
-        figure.set_size_inches(6.0, 6.8)
+        found = probe(law, Sensed(scan, PlanarTwist(0.0, 0.0, 0.0), ZERO_MATRIX))
+        figure.set_size_inches(6.0, 6.0)
         axes = figure.subplots()
-        axes.set(
-            aspect="equal",
-            xlabel="x in m, forward",
-            ylabel="y in m, left",
-            title=f"law '{law.kind}': fx {wrench.fx:.2f} N, fy {wrench.fy:.2f} N, "
-            f"tau {wrench.tau:.2f} N·m",
-        )
-        _draw_rays(axes, scan)
-        outline(axes, ROBOT, CENTRE, "black")
-        boundary = getattr(law, "boundary", None)
-        if isinstance(boundary, Boundary):
-            outline(axes, boundary, CENTRE, "0.55", "--")
-        _draw_wrench(axes, wrench)
-        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.1), ncols=3, frameon=False)
-        axes.title.set_fontsize(9.0)
+        axes.set(xlim=(-SHOWN_AROUND, SHOWN_AROUND), ylim=(-SHOWN_AROUND, SHOWN_AROUND))
+        axes.set(aspect="equal", xlabel="x in m, ahead", ylabel="y in m, left")
+        axes.set_title(_title(found), color=INK, fontsize=10.0)
+        draw_robot(axes, law, PlanarPose(0.0, 0.0, 0.0))
+        _draw_seen(axes, scan)
+        if isinstance(law, SpringLaw):
+            _draw_springs(axes, law, scan)
+        _draw_forces(axes, found)
+        _draw_torque(axes, found.tau)
+        if axes.get_legend_handles_labels()[0]:
+            axes.legend(loc="lower left", fontsize=8.0, frameon=False)
 
 
-def _draw_rays(axes: Axes, scan: Scan) -> None:
-    hit = (scan.ranges > 0.0) & (scan.ranges < scan.max_range)
-    length = np.where(hit, scan.ranges, scan.max_range)
-    x, y = length * np.cos(scan.angles), length * np.sin(scan.angles)
-    front = np.abs((scan.angles + pi) % (2.0 * pi) - pi) <= FRONT
-    for ahead, colour in ((False, RAY), (True, FRONT_RAY)):
-        chosen = front == ahead
-        rays = (
-            np.stack([np.zeros(chosen.sum()), x[chosen]]),
-            np.stack([np.zeros(chosen.sum()), y[chosen]]),
-        )
-        axes.plot(*rays, color=colour, linewidth=0.6, alpha=0.7)
-    axes.plot(x[hit], y[hit], "o", color="black", markersize=3, label="hit")
+def _title(found: Probe) -> str:
+    wrench = f"Fx {found.fx:+.2f} N, Fy {found.fy:+.2f} N, torque {found.tau:+.2f} N·m"
+    rays = "" if found.n is None else f": {found.n} rays touch the boundary"
+    return f"law '{found.kind}'{rays}\n{wrench}"
 
 
-def _draw_wrench(axes: Axes, wrench: PlanarWrench) -> None:
-    parts = (
-        ("Fx", wrench.fx, 0.0, FORCE_X),
-        ("Fy", 0.0, wrench.fy, FORCE_Y),
-        ("force", wrench.fx, wrench.fy, RESULTANT),
-    )
-    for name, fx, fy, colour in parts:
-        axes.quiver(
-            0.0,
-            0.0,
-            fx,
-            fy,
-            color=colour,
-            angles="xy",
-            scale_units="xy",
-            scale=NEWTONS_PER_METRE_DRAWN,
-            width=0.008,
-            zorder=5,
-            label=f"{name} (1 m is {NEWTONS_PER_METRE_DRAWN:g} N)" if name == "force" else name,
-        )
-    if wrench.tau == 0.0:
+def _draw_seen(axes: Axes, scan: Scan) -> None:
+    met = (scan.ranges > 0.0) & (scan.ranges < scan.max_range)
+    x, y = scan.ranges[met] * np.cos(scan.angles[met]), scan.ranges[met] * np.sin(scan.angles[met])
+    axes.plot(x, y, "o", color=INK, markersize=3.5, zorder=4)
+
+
+def _draw_springs(axes: Axes, law: SpringLaw, scan: Scan) -> None:
+    """Draw a line from what each ray met out to the boundary."""
+    touching = law.touching(scan)
+    if touching is None:
         return
-    turn = np.linspace(0.0, pi * max(-1.0, min(1.0, wrench.tau / FULL_TORQUE)), 60)
-    axes.plot(
-        TORQUE_RADIUS * np.cos(turn),
-        TORQUE_RADIUS * np.sin(turn),
-        color=COUNTER_CLOCKWISE if wrench.tau > 0.0 else CLOCKWISE,
-        linewidth=3,
-        zorder=6,
-        label=f"torque, {'counter-clockwise' if wrench.tau > 0.0 else 'clockwise'}",
+    angles = scan.angles[touching.rays]
+    ends = np.stack((touching.distance, touching.distance + touching.depth))
+    axes.plot(ends * np.cos(angles), ends * np.sin(angles), color=SPRING, linewidth=1.2, zorder=3)
+    axes.plot([], [], color=SPRING, linewidth=1.2, label="springs inside the boundary")
+
+
+def _draw_forces(axes: Axes, found: Probe) -> None:
+    parts = (
+        (found.fx, found.fy, "#868e96", 3.5, "force on the hand"),
+        (found.fx, 0.0, ALONG_X, 1.8, "Fx"),
+        (0.0, found.fy, ALONG_Y, 1.8, "Fy"),
+    )
+    for fx, fy, colour, width, name in parts:
+        if hypot(fx, fy) < LEAST_DRAWN:
+            continue
+        tip = fx / NEWTONS_PER_METRE_DRAWN, fy / NEWTONS_PER_METRE_DRAWN
+        _arrow(axes, (0.0, 0.0), tip, colour, width)
+        axes.plot([], [], color=colour, linewidth=width, label=name)
+
+
+def _draw_torque(axes: Axes, tau: float) -> None:
+    if abs(tau) < LEAST_DRAWN:
+        return
+    colour = COUNTER_CLOCKWISE if tau > 0.0 else CLOCKWISE
+    turn = np.clip(ARC_PER_NEWTON_METRE * tau, -LONGEST_ARC, LONGEST_ARC)
+    angles = np.linspace(0.0, turn, 90)
+    x, y = ARC_RADIUS * np.cos(angles), ARC_RADIUS * np.sin(angles)
+    way = "counter-clockwise" if tau > 0.0 else "clockwise"
+    axes.plot(x, y, color=colour, linewidth=2.2, label=f"torque, {way}", zorder=5)
+    _arrow(axes, (x[-2], y[-2]), (x[-1], y[-1]), colour, 2.2)
+
+
+def _arrow(
+    axes: Axes, start: tuple[float, float], tip: tuple[float, float], colour: str, width: float
+) -> None:
+    axes.annotate(
+        "",
+        xy=tip,
+        xytext=start,
+        arrowprops={
+            "arrowstyle": "-|>,head_width=0.25,head_length=0.5",
+            "color": colour,
+            "linewidth": width,
+            "shrinkA": 0.0,
+            "shrinkB": 0.0,
+        },
+        zorder=5,
     )

@@ -64,13 +64,14 @@ def draw_arm_stiffness(curve: ArmStiffnessCurve, key: str, alt: str, kind: str) 
         axes.set_xlabel("quantile of the arm-stiffness prior: compliant arm to stiff arm")
         axes.set_title("collisions per trial with feedback", color=MUTED, fontsize=8.5)
         only_horizontal_lines(axes)
+        axes.tick_params(axis="x", pad=8)
         return to_svg(figure, key, alt)
 
 
 def arm_stiffness_tables(curve: ArmStiffnessCurve) -> tuple[DataTable, DataTable]:
     """Give the curve as a table to be read, and every trial as one to be downloaded."""
     shown = DataTable(
-        ("quantile", "condition", "mean (count)", "SD (count)", "trials"),
+        ("quantile", "condition", "mean (count)", "SD (count)", "trials", "out of time"),
         tuple(
             (
                 point.quantile,
@@ -78,6 +79,7 @@ def arm_stiffness_tables(curve: ArmStiffnessCurve) -> tuple[DataTable, DataTable
                 point.collisions.mean,
                 point.collisions.sd,
                 point.collisions.n,
+                point.timed_out,
             )
             for point in curve.points
         ),

@@ -73,13 +73,13 @@ def _axes(axes: Axes, outcomes: Outcomes, axis: str) -> None:
     bars = outcomes.bars
     axes.set_xticks(range(len(bars)))
     axes.set_xticklabels([_tick(bar) for bar in bars], fontsize=8.5)
-    axes.tick_params(axis="x", pad=17)
     axes.set_xlim(-0.6, len(bars) - 0.4)
     tops = [value.value for bar in bars for value in bar.values]
     tops += [bar.estimate.mean + bar.estimate.sd for bar in bars if isfinite(bar.estimate.sd)]
     axes.set_ylim(0.0, max(1.0, *tops) * 1.06 if tops else 1.0)
     axes.set_title(axis, color=MUTED, fontsize=8.5)
     only_horizontal_lines(axes)
+    axes.locator_params(axis="y", integer=True)
     axes.tick_params(axis="x", pad=17)
 
 

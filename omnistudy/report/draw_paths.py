@@ -28,7 +28,7 @@ def draw_paths(
     left, right, bottom, top = _extent(conditions, world)
     cell = WIDTH / ACROSS * (top - bottom) / (right - left)
     with drawing():
-        figure = Figure(figsize=(WIDTH, rows * (min(cell, 6.0) + 0.4)))
+        figure = Figure(figsize=(WIDTH, rows * (min(cell, 6.0) + 0.2)))
         watermark(figure, kind)
         grid = figure.subplots(rows, ACROSS, squeeze=False)
         figure.subplots_adjust(

@@ -20,7 +20,7 @@ def draw_wrenches(traces: tuple[WrenchTrace, ...], key: str, alt: str, kind: str
     palette = colours(tuple(trace.condition for trace in traces))
     limits = np.maximum(np.array([trace.largest() for trace in traces]).max(axis=0), 1e-3) * 1.05
     with drawing():
-        height = 0.75 + 0.95 * len(traces)
+        height = 0.85 + 0.95 * len(traces)
         figure = Figure(figsize=(7.6, height))
         watermark(figure, kind)
         grid = figure.subplots(len(traces), 3, sharex="row", squeeze=False)
@@ -28,7 +28,7 @@ def draw_wrenches(traces: tuple[WrenchTrace, ...], key: str, alt: str, kind: str
             left=0.2,
             right=0.99,
             top=1 - 0.42 / height,
-            bottom=0.42 / height,
+            bottom=0.52 / height,
             hspace=0.25,
             wspace=0.22,
         )

@@ -17,7 +17,16 @@ from omnistudy.analysis.report import Report
 from omnistudy.report.picture import DataTable
 from omnistudy.report.pictures import pictures
 from omnistudy.report.style import name_of
-from omnistudy.report.words import commands, facts, key_numbers, limits, rule, tally, unfinished
+from omnistudy.report.words import (
+    commands,
+    facts,
+    key_numbers,
+    limits,
+    out_of_time,
+    rule,
+    tally,
+    unfinished,
+)
 from omnistudy.version import VERSION
 from omnistudy.worlds import World
 
@@ -40,6 +49,7 @@ def render(report: Report, world: World | None) -> str:
         study=report.study,
         virtual=report.study.kind == "virtual",
         unfinished=unfinished(report),
+        out_of_time=out_of_time(report),
         key_numbers=key_numbers(report),
         comparison=[_comparison_row(row) for row in report.comparison],
         tally=tally(report),
@@ -83,8 +93,9 @@ def _comparison_row(row: ComparisonRow) -> dict[str, str]:
         "reads_as": "" if exact else _interval(row.claim.reads_as),
         "ours": interval if row.point is None else f"{short(row.point)} ({interval})",
         "verdict": row.verdict,
+        "met": ("met" if row.agrees else "not met") if row.claim.calibrated else "",
         "method": row.method,
-        "source": row.claim.source,
+        "source": row.claim.source.removeprefix("sec. 5.1, "),
     }
 
 
@@ -93,7 +104,8 @@ def _interval(interval: Interval) -> str:
         return "not computed"
     if isinf(interval.high):
         return f"above {short(interval.low)}"
-    return f"{short(interval.low)} to {short(interval.high)}"
+    low, high = short(interval.low), short(interval.high)
+    return low if low == high else f"{low} to {high}"
 
 
 def _conditions(report: Report) -> DataTable:
@@ -142,5 +154,8 @@ def _attempts(report: Report) -> DataTable:
 def _events(report: Report) -> DataTable:
     return DataTable(
         ("event", *(name_of(name) for name in report.study.conditions), "all"),
-        tuple((count.kind, *count.by_condition, count.total) for count in report.events),
+        tuple(
+            (count.kind.replace("_", " "), *count.by_condition, count.total)
+            for count in report.events
+        ),
     )

@@ -55,7 +55,7 @@ def watermark(figure: Figure, kind: str) -> None:
             ha="center",
             va="center",
             rotation=18,
-            zorder=0,
+            zorder=-1,
         )
         figure.text(
             0.995,
@@ -84,6 +84,7 @@ def to_svg(figure: Figure, key: str, alt: str) -> str:
     text = re.sub(r'xlink:href="#', f'href="#{key}-', text)
     text = re.sub(r' xmlns:xlink="[^"]*"| xmlns="[^"]*"| version="[^"]*"', "", text)
     text = re.sub(r' width="[\d.]+pt" height="[\d.]+pt"', "", text, count=1)
+    text = re.sub(r"(\d\.\d\d)\d+", r"\1", text)  # hundredths of a point are plenty
     for stand_in, variable in STAND_INS.items():
         text = text.replace(stand_in, variable)
     label = escape(alt, quote=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from omnistudy.analysis.arm_stiffness import ArmStiffnessCurve
 from omnistudy.analysis.outcomes import Outcomes
 from omnistudy.analysis.report import Report, Subject
 from omnistudy.report.draw_arm_stiffness import arm_stiffness_tables, draw_arm_stiffness
@@ -22,6 +23,10 @@ LABELS = (
     "Tavg is the mean over T1-T3 and over T4-T6."
 )
 COUNTING = "Every trial that ran is counted, also those that ran out of time."
+ARMS = (
+    "Bars with feedback describe this group, in which each virtual person carries one draw of the "
+    "arm-stiffness prior; the prediction is the interval in the table, not the bar."
+)
 
 
 def pictures(report: Report, world: World | None) -> tuple[Picture, ...]:
@@ -47,7 +52,12 @@ def _collisions(report: Report) -> Picture:
         key="collisions",
         title="Collisions" + (" (thesis: figure 5.1)" if published else ""),
         axis="collisions per trial",
-        caption=f"{BARS} {LABELS if published else ''} {COUNTING}",
+        caption=_joined(
+            BARS,
+            LABELS if published else "",
+            COUNTING,
+            ARMS if published and report.study.kind == "virtual" else "",
+        ),
         published=(
             "34 collisions a trial without feedback, 5 with (Tavg).",
             "Both fall steeply from the first to the third trial.",
@@ -69,8 +79,13 @@ def _times(report: Report) -> Picture:
         key="times",
         title="Completion time" + (" (thesis: figure 5.2)" if published else ""),
         axis="seconds from the first command to the finish",
-        caption=f"{BARS} Only completed trials have a time; {outcomes.left_out} that ran out of "
-        "time are left out, so a mean here is a lower bound when that number is not 0.",
+        caption=_joined(
+            BARS,
+            "Only completed trials have a time.",
+            f"Out of time and so left out: {outcomes.left_out}; the means are too short by that."
+            if outcomes.left_out
+            else "",
+        ),
         published=(
             "“No significant difference”; with feedback a little less. No numbers are given.",
             "The thesis puts the difference down to collisions without feedback and the effort "
@@ -139,11 +154,27 @@ def _arm_stiffness(report: Report) -> Picture:
         "How stiffly an arm holds the stick decides how much feedback helps, and no trial without "
         "feedback can reveal it. So it is drawn from a prior, and every prediction with feedback "
         "is the whole range of this curve, never one point on it. Thick: mean over participants; "
-        f"thin: each participant. From study {curve.study}: the same virtual people.",
+        f"thin: each participant. From study {curve.study}, one trial a quantile and person. "
+        + _out_of_time(curve),
         draw_arm_stiffness(curve, "arm-stiffness", alt, report.study.kind),
         ("5 collisions a trial with feedback. The thesis did not measure arms.",),
         *arm_stiffness_tables(curve),
     )
+
+
+def _out_of_time(curve: ArmStiffnessCurve) -> str:
+    late = [
+        f"{point.timed_out} of {point.collisions.n} at quantile {point.quantile:g}"
+        for point in curve.points
+        if point.timed_out
+    ]
+    if not late:
+        return "All reached the finish."
+    return f"Out of time: {', '.join(late)}; they count with their collisions until then."
+
+
+def _joined(*sentences: str) -> str:
+    return " ".join(sentence for sentence in sentences if sentence)
 
 
 def _wrenches(report: Report) -> Picture:
@@ -184,7 +215,7 @@ def _paths(report: Report, world: World | None) -> Picture:
         "Where they drove",
         alt,
         "Lines are the driven ways of every trial that ran, thinned to a point every 10 cm; dots "
-        "are the places where a collision began.",
+        "are the places where a collision began (debounced, so fewer than new contacts).",
         draw_paths(report.paths, world, "paths", alt, report.study.kind),
         ("The thesis's plan (figure 4.10) is lost; this one is made from its bill of materials.",)
         if report.comparison

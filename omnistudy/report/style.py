@@ -1,6 +1,6 @@
 """How every picture looks: one colour a condition, ink and paper that follow light and dark.
 
-Pictures are drawn with stand-in colours (INK, MUTED, LINE, PAPER) which the page replaces by CSS
+Pictures are drawn with stand-in colours (STAND_INS) which the page replaces by CSS
 variables, so that the same SVG is readable on a light and on a dark page. Condition colours are
 those of Okabe and Ito (2008, "Color universal design"), which colour-blind readers can tell apart.
 """
@@ -13,11 +13,24 @@ from contextlib import contextmanager
 import matplotlib as mpl
 from matplotlib.axes import Axes
 
+from omnistudy.worlds import drawing as plan
+
 INK = "#0a0b0c"
 MUTED = "#5a5b5c"
 LINE = "#dadbdc"
 PAPER = "#fafbfc"
-STAND_INS = {INK: "var(--ink)", MUTED: "var(--muted)", LINE: "var(--line)", PAPER: "var(--paper)"}
+STAND_INS = {
+    INK: "var(--ink)",
+    MUTED: "var(--muted)",
+    LINE: "var(--line)",
+    PAPER: "var(--paper)",
+    plan.INK: "var(--ink)",
+    plan.WALL: "var(--wall)",
+    plan.TINTS["blue"]: "var(--blue-part)",
+    plan.TINTS["green"]: "var(--green-part)",
+    "#ffffff": "var(--paper)",
+}
+"""Colour in a drawing -> CSS variable of the page; the plan's own colours too."""
 
 WITH_COLOUR = "#0072b2"
 WITHOUT_COLOUR = "#d55e00"

@@ -6,8 +6,8 @@ from collections import Counter
 from importlib.metadata import version
 from platform import python_version
 
-from omnistudy.analysis.comparison import GROUPS
-from omnistudy.analysis.counting import STATUSES
+from omnistudy.analysis.comparison import GROUPS, OVER_DRAWS, OVER_PRIOR
+from omnistudy.analysis.counting import RAN, STATUSES
 from omnistudy.analysis.report import Report
 from omnistudy.analysis.utah2017 import WITHOUT
 from omnistudy.report.style import name_of
@@ -40,16 +40,38 @@ def key_numbers(report: Report) -> tuple[tuple[str, str], ...]:
 
 
 def unfinished(report: Report) -> str:
-    """Say which trials are missing; empty when none is."""
+    """Say which trials did not run to an end; empty when all did."""
     missing = [
-        f"{_with_status(report, status)} {status.replace('_', ' ')}"
+        f"{_with_status(report, status)} {status}"
         for status in STATUSES
-        if status != "completed" and _with_status(report, status)
+        if status not in RAN and _with_status(report, status)
     ]
     if not missing:
         return ""
     planned = sum(sum(count.attempts) for count in report.attempts)
     return f"Of {planned} attempts: {', '.join(missing)}. Every mean says how many it is of."
+
+
+def out_of_time(report: Report) -> str:
+    """Say whose time ran out and what that does to the means; empty when nobody's did."""
+    late = [
+        f"{count.of('timed_out')} of {count.of('completed') + count.of('timed_out')} trials "
+        f"“{name_of(count.condition)}”"
+        for count in report.attempts
+        if count.of("timed_out")
+    ]
+    if not late:
+        return ""
+    why = (
+        " Feedback can hold a loose virtual arm, in a dead end for example, where a person would "
+        "push harder."
+        if report.study.kind == "virtual"
+        else ""
+    )
+    return (
+        f"{', '.join(late)}. Such a trial counts with the collisions it had until then and has no "
+        f"completion time, so both means are lower than they would be.{why}"
+    )
 
 
 def tally(report: Report) -> str:
@@ -59,22 +81,31 @@ def tally(report: Report) -> str:
     return f"{len(report.comparison)} published claims: {', '.join(named)}."
 
 
-def rule(report: Report) -> str:
-    """State what counts as a hit."""
-    source = (
-        "the lowest and highest value over the quantiles of the arm-stiffness study"
-        if report.arm_stiffness
-        else "groups drawn again from the participants, who each carry their own draw of it (no "
-        "arm-stiffness study was given)"
-    )
+def rule(report: Report) -> tuple[str, ...]:
+    """State what counts as a hit, and what each interval covers."""
     return (
-        "A claim is a hit when the thesis's value and our interval have a number in common, a miss "
-        "when they have none. Whatever needs feedback depends on how stiffly an arm holds the "
-        f"stick, so there the interval covers the prior of arm stiffness: {source}. The others "
-        f"have a 95 % bootstrap interval over participants ({GROUPS} groups). A wide interval "
-        "makes a hit cheap: read the width. What the driver was calibrated on is not a prediction "
-        "and is called so. The thesis's means are read as rounded to a whole number, “about” as "
-        "within 10 %."
+        "Hit: the thesis's value and our interval have a number in common. Miss: they have none. "
+        "A wide interval makes a hit cheap: read the width.",
+        "Calibrated: the driver was fitted to this number, so it predicts nothing; whether the "
+        "number was met is said beside it.",
+        "Whatever needs feedback depends on how stiffly an arm holds the stick, which trials "
+        "without feedback cannot reveal. There the interval covers the prior of arm stiffness: "
+        + _over_prior(report),
+        f"Over participants: 95 % of {GROUPS} groups drawn again from this study's participants.",
+        "The thesis's means are read as rounded to a whole number, “about” as within 10 %.",
+    )
+
+
+def _over_prior(report: Report) -> str:
+    drawn_again = "groups drawn again from the participants, who each carry one draw of the prior"
+    if report.arm_stiffness:
+        return (
+            f"lowest to highest value over its quantiles ({OVER_PRIOR}); what needs three trials a "
+            f"person has {drawn_again} ({OVER_DRAWS})."
+        )
+    return (
+        f"{drawn_again} ({OVER_DRAWS}). No arm-stiffness study was given: `omnistudy demo` makes "
+        f"one, `omnistudy report {report.study.name} --arm-study utah2017_arm_stiffness` uses it."
     )
 
 
@@ -98,15 +129,11 @@ def limits(report: Report) -> tuple[str, ...]:
             "there, in the thesis and here.",
             "The best and the worst of eight people are extreme values: drawing groups again "
             "cannot go beyond the people there are.",
-            "The thesis counted by hand, one collision from first contact until clear, all walls "
-            "one; the debounced count is in the table of conditions.",
+            "People counted the thesis's collisions by hand and wrote them on paper; we count as "
+            "its code does, every new contact. The table of conditions has the debounced count "
+            "too.",
             "Smoothness (table 5.1) and the survey (section 5.3) are not part of this report.",
         ]
-    if report.times.left_out:
-        general.append(
-            f"Out of time: {report.times.left_out} of the trials; mean times leave them out and "
-            "are too short by that."
-        )
     misses = [row.claim.quantity for row in report.comparison if row.verdict == "miss"]
     if misses:
         general.append("Missed: " + "; ".join(misses) + ".")
