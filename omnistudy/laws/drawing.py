@@ -75,7 +75,7 @@ def _draw_scene(
     x = [at.pose.x for at in asked]
     y = [at.pose.y for at in asked]
     axes.plot(x, y, ".", color="#aab0b8", markersize=2.5, zorder=2)
-    arrows = axes.quiver(
+    return axes.quiver(
         x,
         y,
         [at.found.fx for at in asked],
@@ -90,7 +90,6 @@ def _draw_scene(
         width=0.025,
         zorder=3,
     )
-    return arrows
 
 
 def _torque_colours() -> LinearSegmentedColormap:

@@ -32,8 +32,8 @@ LEAST_DRAWN = 1e-3
 
 ARC_RADIUS = 0.13
 ARC_PER_NEWTON_METRE = 0.35
-"""rad of arc for one N·m, up to a turn that stays readable."""
-LONGEST_ARC = 4.5
+"""rad of arc for one N·m, within what stays readable."""
+SHORTEST_ARC, LONGEST_ARC = 0.5, 4.5
 
 SHOWN_AROUND = 0.75
 """m to each side of the robot that are always in the picture."""
@@ -102,8 +102,8 @@ def _draw_torque(axes: Axes, tau: float) -> None:
     if abs(tau) < LEAST_DRAWN:
         return
     colour = COUNTER_CLOCKWISE if tau > 0.0 else CLOCKWISE
-    turn = np.clip(ARC_PER_NEWTON_METRE * tau, -LONGEST_ARC, LONGEST_ARC)
-    angles = np.linspace(0.0, turn, 90)
+    turn = np.clip(ARC_PER_NEWTON_METRE * abs(tau), SHORTEST_ARC, LONGEST_ARC)
+    angles = np.copysign(np.linspace(0.0, turn, 90), tau)
     x, y = ARC_RADIUS * np.cos(angles), ARC_RADIUS * np.sin(angles)
     way = "counter-clockwise" if tau > 0.0 else "clockwise"
     axes.plot(x, y, color=colour, linewidth=2.2, label=f"torque, {way}", zorder=5)
