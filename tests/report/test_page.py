@@ -65,6 +65,7 @@ def test_page_is_whole_and_needs_nothing_from_outside(page: str) -> None:
     assert all(address.startswith(("#", "data:")) for address in outline.addresses)
     assert "@import" not in page
     assert "url(http" not in page
+    assert 'font-family: "DejaVu Sans"' in page, "style sheets know no escaped quotes"
 
 
 def test_every_picture_says_what_it_shows_and_is_marked_virtual(page: str) -> None:
@@ -97,7 +98,8 @@ def test_thesis_table_tells_hits_and_misses_alike(page: str) -> None:
 
 
 def test_trials_out_of_time_are_told(page: str) -> None:
-    assert "1 of 8 trials “centre 20 cm ahead”. Such a trial counts" in page
+    assert "1 of 8 trials “centre 10 cm behind”. Such a trial counts" in page
+    assert "All reached the finish." in page, "those of the arm-stiffness study"
 
 
 def test_same_study_gives_the_same_bytes(page: str, synthetic: Synthetic) -> None:
