@@ -43,6 +43,16 @@ class BrokenSdf(OmnistudyError):
         super().__init__(f"{file}: {fault}; boxes, cylinders and planes in SDF can be imported")
 
 
+class NoWay(OmnistudyError):
+    """A start and a goal between which there is nothing to drive."""
+
+    def __init__(self, start: Sequence[float], goal: Sequence[float]) -> None:
+        super().__init__(
+            f"there is no way from the start {_numbers(start)} to the goal {_numbers(goal)}: give "
+            "two different places, in m, and a heading in rad"
+        )
+
+
 class BrokenPath(OmnistudyError):
     """A file of path points that cannot be read."""
 
@@ -55,3 +65,16 @@ class WorldExists(OmnistudyError):
 
     def __init__(self, file: Path) -> None:
         super().__init__(f"{file} exists already: give another name, or --force to replace it")
+
+
+class WorldNotWritten(OmnistudyError):
+    """A page that the system does not let be written."""
+
+    def __init__(self, file: Path, reason: str) -> None:
+        super().__init__(
+            f"{file} cannot be written ({reason}): give a place in a folder that exists"
+        )
+
+
+def _numbers(given: Sequence[float]) -> str:
+    return f"({', '.join(f'{number:g}' for number in given)})"

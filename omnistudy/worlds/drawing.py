@@ -67,9 +67,11 @@ def draw_plan(
 
 
 def extent(world: World) -> tuple[Points, Points]:
-    """Give the lower left and the upper right corner (2,) in m of all that stands in a world."""
-    corners = np.concatenate([plan_outline(body) for body in world.scene.bodies])
-    corners = np.vstack((corners, (world.start.x, world.start.y)))
+    """Give the lower left and the upper right corner (2,) in m of bodies, regions and routes."""
+    outlines = [plan_outline(body) for body in world.scene.bodies]
+    outlines += [np.array(region.polygon) for region in world.regions]
+    outlines += [np.array(leg.path) for route in world.routes for leg in route.legs]
+    corners = np.vstack((*outlines, (world.start.x, world.start.y)))
     return corners.min(axis=0), corners.max(axis=0)
 
 

@@ -6,12 +6,15 @@ from pathlib import Path
 
 import yaml
 
-from omnistudy.errors.worlds import WorldExists
+from omnistudy.errors.worlds import WorldExists, WorldNotWritten
 from omnistudy.worlds.world import World
 
 
 def write_world(world: World, file: Path, *, replace: bool = False) -> None:
-    """Write a world's page, what is left at its default left out; raises WorldExists."""
+    """Write a world's page, what is left at its default left out.
+
+    Raises WorldExists unless `replace`, or WorldNotWritten.
+    """
     if file.exists() and not replace:
         raise WorldExists(file)
     tree = {"kind": world.kind} | world.model_dump(mode="json", exclude_defaults=True)
@@ -19,8 +22,11 @@ def write_world(world: World, file: Path, *, replace: bool = False) -> None:
         body["geometry"] = {"shape": _shape(body["geometry"]), **body["geometry"]}
     text = yaml.safe_dump(tree, sort_keys=False, allow_unicode=True, default_flow_style=None)
     draft = file.with_name(f".{file.name}.part")
-    draft.write_text(text, encoding="utf-8")
-    draft.replace(file)
+    try:
+        draft.write_text(text, encoding="utf-8")
+        draft.replace(file)
+    except OSError as refused:
+        raise WorldNotWritten(file, refused.strerror or str(refused)) from refused
 
 
 def _shape(geometry: dict[str, float]) -> str:

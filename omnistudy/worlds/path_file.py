@@ -26,4 +26,6 @@ def read_path(file: Path, step: float = 1.0, first: Point = (0.0, 0.0)) -> tuple
         raise BrokenPath(file, f"it cannot be read as numbers ({cause})") from cause
     if rows.ndim != 2 or rows.shape[1] != 2 or not len(rows):
         raise BrokenPath(file, f"its shape is {rows.shape}, not (rows, 2)")
+    if rows.dtype.kind not in "iuf" or not np.isfinite(rows).all():
+        raise BrokenPath(file, "it holds something that is no finite number")
     return tuple((step * float(i) + first[0], step * float(j) + first[1]) for i, j in rows)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from omnistudy.errors.pictures import PictureExists, UnknownPictureFormat
+from omnistudy.errors.pictures import PictureExists, PictureNotWritten, UnknownPictureFormat
 from omnistudy.worlds.drawing import LABEL_MARGIN, draw_plan, extent
 from omnistudy.worlds.world import World
 
@@ -22,7 +22,7 @@ LONGEST_SIDE = 9.0
 def write_plan(world: World, path: Path, *, replace: bool = False) -> None:
     """Draw a world's plan into an .svg or .png file.
 
-    Raises UnknownPictureFormat, or PictureExists unless `replace`.
+    Raises UnknownPictureFormat, PictureExists unless `replace`, or PictureNotWritten.
     """
     if path.suffix not in METADATA:
         raise UnknownPictureFormat(path, METADATA)
@@ -41,4 +41,7 @@ def write_plan(world: World, path: Path, *, replace: bool = False) -> None:
         axes = figure.add_axes((0.02, 0.06, 0.96, 0.86))
         draw_plan(world, axes)
         axes.set_title(world.title or world.name, fontsize=12, color="#2b2f36")
-        figure.savefig(path, dpi=150, metadata=METADATA[path.suffix], facecolor="white")
+        try:
+            figure.savefig(path, dpi=150, metadata=METADATA[path.suffix], facecolor="white")
+        except OSError as refused:
+            raise PictureNotWritten(path, refused.strerror or str(refused)) from refused

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from math import isfinite, radians
 from pathlib import Path
 from typing import NamedTuple
 from xml.etree import ElementTree
 
 from pydantic import ValidationError
 
-from omnistudy.errors.worlds import BrokenSdf
+from omnistudy.errors.worlds import BrokenSdf, NoWay
 from omnistudy.geometry import PlanarPose
 from omnistudy.scene import Body, Box, Cylinder
 from omnistudy.worlds.route import Leg, Point, Route
@@ -34,26 +35,24 @@ class Placed(NamedTuple):
     z: float
 
 
+FLOOR = Placed(PlanarPose(0.0, 0.0, 0.0), 0.0)
+"""Where the world's own frame stands."""
+
+
 def import_sdf(
     file: Path, start: PlanarPose, goal: Point, path: Sequence[Point] = (), name: str = ""
 ) -> Imported:
     """Read an SDF world; its bodies become walls, the goal a finish block that stops nothing.
 
     path : points in m between start and goal; none is a straight way. The `<state>` of a saved
-    world is left alone. Raises BrokenSdf, which says what is wrong where.
+    world is left alone. Raises BrokenSdf, which says what is wrong where, or NoWay.
     """
-    try:
-        root = ElementTree.parse(file).getroot()
-    except (OSError, ElementTree.ParseError) as cause:
-        raise BrokenSdf(file, f"it cannot be read as XML ({cause})") from cause
-    world = root if root.tag == "world" else root.find("world")
-    if root.tag not in ("sdf", "world") or world is None:
-        raise BrokenSdf(file, "it holds no <sdf> with a <world>")
-    left_out = [
-        f"included model {include.findtext('uri', 'without uri').strip()}"
-        for include in world.findall("include")
+    way = _way(start, path, goal)
+    world = _world(file)
+    left_out = _included(world)
+    bodies = [
+        body for model in world.findall("model") for body in _model(file, model, FLOOR, left_out)
     ]
-    bodies = [body for model in world.findall("model") for body in _model(file, model, left_out)]
     finish = Body(
         name="goal",
         role="finish",
@@ -64,7 +63,6 @@ def import_sdf(
         colour="#2f6fd0",
         solid=False,
     )
-    way = _without_repeats([(start.x, start.y), *path, goal])
     title = f"{name or file.stem}, imported from {file.name}"
     try:
         made = World(
@@ -72,29 +70,56 @@ def import_sdf(
             title=title,
             start=Start(x=start.x, y=start.y, theta=start.theta),
             bodies=(*bodies, finish),
-            routes=(Route(name="reference", legs=(Leg(target="goal", path=tuple(way)),)),),
+            routes=(Route(name="reference", legs=(Leg(target="goal", path=way),)),),
         )
     except ValidationError as fault:
-        raise BrokenSdf(file, str(fault.errors()[0]["msg"])) from fault
+        message = str(fault.errors()[0]["msg"]).removeprefix("Value error, ")
+        raise BrokenSdf(file, message) from fault
     return Imported(made, tuple(left_out))
 
 
-def _without_repeats(points: list[Point]) -> list[Point]:
-    return [point for i, point in enumerate(points) if i == 0 or point != points[i - 1]]
+def _way(start: PlanarPose, path: Sequence[Point], goal: Point) -> tuple[Point, ...]:
+    """Join start, path and goal, points that repeat left out; raises NoWay."""
+    points = [(start.x, start.y), *path, goal]
+    way = [point for i, point in enumerate(points) if i == 0 or point != points[i - 1]]
+    if len(way) < 2 or not all(isfinite(number) for number in (*start, *goal)):
+        raise NoWay(start, goal)
+    return tuple(way)
 
 
-def _model(file: Path, model: ElementTree.Element, left_out: list[str]) -> Iterator[Body]:
-    """Give a body for every collision of a model that is not the floor."""
-    name = model.get("name") or "unnamed"
-    origin = Placed(PlanarPose(0.0, 0.0, 0.0), 0.0)
-    at_model = _placed(file, name, model, origin)
+def _world(file: Path) -> ElementTree.Element:
+    try:
+        root = ElementTree.parse(file).getroot()
+    except FileNotFoundError:
+        raise BrokenSdf(file, "there is no such file") from None
+    except (OSError, LookupError, ValueError, ElementTree.ParseError) as cause:
+        raise BrokenSdf(file, f"it cannot be read as XML ({cause})") from cause
+    world = root if root.tag == "world" else root.find("world")
+    if root.tag not in ("sdf", "world") or world is None:
+        raise BrokenSdf(file, "it holds no <sdf> with a <world>")
+    return world
+
+
+def _included(element: ElementTree.Element) -> list[str]:
+    return [
+        f"included model {include.findtext('uri', 'without uri').strip()}"
+        for include in element.findall("include")
+    ]
+
+
+def _model(
+    file: Path, model: ElementTree.Element, parent: Placed, left_out: list[str], within: str = ""
+) -> Iterator[Body]:
+    """Give a body for every collision of a model, and of the models in it, that is no floor."""
+    name = within + (model.get("name") or "unnamed")
+    at_model = _placed(file, name, model, parent)
     shapes = [
         (_placed(file, name, collision, _placed(file, name, link, at_model)), shape)
         for link in model.findall("link")
         for collision in link.findall("collision")
         for shape in collision.findall("geometry/*")
     ]
-    solid = [(at, shape) for at, shape in shapes if shape.tag != "plane"]
+    solid = [(at, shape) for at, shape in shapes if not _is_floor(file, name, shape)]
     for number, (at, shape) in enumerate(solid, start=1):
         geometry = _geometry(file, name, shape)
         if geometry is None:
@@ -109,14 +134,36 @@ def _model(file: Path, model: ElementTree.Element, left_out: list[str]) -> Itera
             z=at.z,
             yaw=at.pose.theta,
         )
+    left_out += _included(model)
+    for inner in model.findall("model"):
+        yield from _model(file, inner, at_model, left_out, f"{name}::")
+
+
+def _is_floor(file: Path, name: str, shape: ElementTree.Element) -> bool:
+    """Tell whether a shape is a plane that faces up; any other plane is no floor to drive on."""
+    if shape.tag != "plane":
+        return False
+    text = shape.findtext("normal", "0 0 1")
+    x, y, z = _numbers(file, f"the plane of model '{name}'", text, 3)
+    return z > 0.0 and max(abs(x), abs(y)) <= TILT * z
 
 
 def _placed(file: Path, name: str, element: ElementTree.Element, parent: Placed) -> Placed:
     """Compose an element's `<pose>` with its parent's."""
-    text = element.findtext("pose")
-    if text is None or not text.strip():
+    pose = element.find("pose")
+    if pose is None:
         return parent
-    x, y, z, roll, pitch, yaw = _numbers(file, f"the pose of model '{name}'", text, 6)
+    frame = pose.get("relative_to") or pose.get("frame")
+    if frame:
+        fault = f"model '{name}' has a pose relative to '{frame}', not to what it is part of"
+        raise BrokenSdf(file, fault)
+    text = pose.text or ""
+    if not text.strip():
+        return parent
+    x, y, z, *turns = _numbers(file, f"the pose of model '{name}'", text, 6)
+    if pose.get("degrees") in ("true", "1"):
+        turns = [radians(turn) for turn in turns]
+    roll, pitch, yaw = turns
     if abs(roll) > TILT or abs(pitch) > TILT:
         raise BrokenSdf(file, f"model '{name}' is tilted; only upright bodies can be read")
     at_x, at_y = parent.pose.to_world(x, y)
@@ -145,6 +192,8 @@ def _numbers(file: Path, what: str, text: str, count: int) -> list[float]:
         numbers = [float(part) for part in parts]
     except ValueError:
         raise BrokenSdf(file, f"{what} is '{text.strip()}', not numbers") from None
+    if not all(isfinite(number) for number in numbers):
+        raise BrokenSdf(file, f"{what} is '{text.strip()}', not finite numbers")
     if len(numbers) != count:
         raise BrokenSdf(file, f"{what} is '{text.strip()}', where {count} numbers are needed")
     return numbers

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from math import pi
+from math import inf, nan, pi
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from omnistudy.errors.worlds import BrokenPath, BrokenSdf
+from omnistudy.errors.worlds import BrokenPath, BrokenSdf, NoWay
 from omnistudy.geometry import PlanarPose
 from omnistudy.scene import Box, Cylinder
 from omnistudy.session.barn import barn_worlds
@@ -54,6 +54,44 @@ def test_poses_of_model_link_and_collision_are_composed(tmp_path: Path) -> None:
     assert (body.role, body.solid) == ("wall", True)
 
 
+def test_poses_in_degrees_are_turned(tmp_path: Path) -> None:
+    turned = model("m", "1 2 0.5 0 0 90", "1 0 0 0 0 0", STAY, BOX)
+    file = sdf(tmp_path, turned.replace("<pose>1 2", "<pose degrees='true'>1 2"))
+    (body, _) = import_sdf(file, START, GOAL).world.bodies
+    assert (body.x, body.y, body.yaw) == pytest.approx((1.0, 3.0, pi / 2))
+
+
+def test_models_in_models_stand_where_the_outer_one_puts_them(tmp_path: Path) -> None:
+    # The outer model is turned a quarter to the left: 2 m ahead of it is 2 m further along y.
+    inner = model("leg", "2 0 0 0 0 0", STAY, STAY, POST)
+    include = "<include><uri>model://lamp</uri></include>"
+    pose = "<pose>1 1 0 0 0 1.5707963267948966</pose>"
+    file = sdf(tmp_path, f"<model name='table'>{pose}{inner}{include}</model>")
+    imported = import_sdf(file, START, GOAL)
+    (body, _) = imported.world.bodies
+    assert (body.name, body.x, body.y) == ("table::leg", pytest.approx(1.0), pytest.approx(3.0))
+    assert imported.left_out == ("included model model://lamp",)
+
+
+def test_only_a_plane_that_faces_up_is_the_floor(tmp_path: Path) -> None:
+    plane = "<plane><normal>{}</normal></plane>"
+    floor = model("floor", STAY, STAY, STAY, plane.format("0 0 1"))
+    wall = model("side", STAY, STAY, STAY, plane.format("1 0 0"))
+    imported = import_sdf(sdf(tmp_path, floor, wall), START, GOAL)
+    assert imported.left_out == ("the plane of model 'side'",)
+
+
+@pytest.mark.parametrize(
+    ("start", "goal"),
+    [(START, (0.0, 0.0)), (PlanarPose(0, 0, nan), GOAL), (START, (inf, 0.0))],
+)
+def test_no_way_to_drive_is_one_sentence(
+    tmp_path: Path, start: PlanarPose, goal: tuple[float, float]
+) -> None:
+    with pytest.raises(NoWay, match="give two different places"):
+        import_sdf(sdf(tmp_path), start, goal)
+
+
 def test_cylinders_boxes_and_the_floor(tmp_path: Path) -> None:
     plane = model("floor", STAY, STAY, STAY, "<plane><normal>0 0 1</normal></plane>")
     post = model("post", "1 -1 1 0 0 0", STAY, STAY, POST)
@@ -81,9 +119,15 @@ def test_route_goes_from_start_along_the_path_to_the_goal(tmp_path: Path) -> Non
     ("content", "said"),
     [
         ("<sdf", "cannot be read as XML"),
+        ("<?xml version='1.0' encoding='none-such'?><sdf/>", "cannot be read as XML"),
         ("<robot name='r'/>", "holds no <sdf> with a <world>"),
         (model("m", "1 2", STAY, STAY, BOX), "pose of model 'm' is '1 2', where 6 numbers"),
         (model("m", "a b c d e f", STAY, STAY, BOX), "pose of model 'm' is 'a b c d e f', not"),
+        (model("m", "nan 0 0 0 0 0", STAY, STAY, BOX), "'nan 0 0 0 0 0', not finite numbers"),
+        (
+            model("m", STAY, STAY, STAY, BOX).replace("<pose>", "<pose relative_to='a'>", 1),
+            "model 'm' has a pose relative to 'a'",
+        ),
         (model("m", "0 0 0 0.5 0 0", STAY, STAY, BOX), "model 'm' is tilted"),
         (model("m", STAY, STAY, STAY, "<box/>"), "box of model 'm' is '', where 3 numbers"),
         (model("m", STAY, STAY, STAY, POST.replace("0.1", "0")), "cylinder of model 'm' has no"),
@@ -97,6 +141,11 @@ def test_a_file_that_is_no_such_world_is_one_sentence(
     file.write_text(f"<sdf><world>{content}</world></sdf>" if whole else content, encoding="utf-8")
     with pytest.raises(BrokenSdf, match=re.escape(said)):
         import_sdf(file, START, GOAL)
+
+
+def test_a_file_that_is_not_there_is_one_sentence(tmp_path: Path) -> None:
+    with pytest.raises(BrokenSdf, match="there is no such file"):
+        import_sdf(tmp_path / "none.sdf", START, GOAL)
 
 
 def test_two_models_of_one_name_are_told(tmp_path: Path) -> None:
@@ -114,7 +163,13 @@ def test_path_rows_are_cells_of_a_grid(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("content", "said"), [(np.zeros((2, 3)), "shape is"), (b"text", "cannot be read as numbers")]
+    ("content", "said"),
+    [
+        (np.zeros((2, 3)), "shape is"),
+        (np.array([[0.0, nan]]), "no finite number"),
+        (np.array([["a", "b"]]), "no finite number"),
+        (b"text", "cannot be read as numbers"),
+    ],
 )
 def test_path_that_is_none_is_one_sentence(tmp_path: Path, content: object, said: str) -> None:
     file = tmp_path / "path.npy"

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from omnistudy.cli.app import main
-from omnistudy.worlds import load_world
+from omnistudy.worlds import load_world, world_file
 
 SDF = (
     "<sdf version='1.6'><world name='w'><model name='crate'><pose>2 1 0.5 0 0 0</pose>"
@@ -52,6 +52,9 @@ def test_plan_is_drawn_twice_alike_and_never_over_a_file(
     assert "--force" in capsys.readouterr().err
     assert run(monkeypatch, "world", "draw", "primitive_b", "-o", tmp_path / "a.gif") == 1
     assert ".svg or .png" in capsys.readouterr().err
+    nowhere = tmp_path / "nowhere" / f"a{suffix}"
+    assert run(monkeypatch, "world", "draw", "primitive_b", "-o", nowhere) == 1
+    assert "cannot be written" in capsys.readouterr().err
 
 
 def test_check_prints_each_route_and_exits_1_on_a_fault(
@@ -66,7 +69,7 @@ def test_check_prints_each_route_and_exits_1_on_a_fault(
     ]
     assert found["plant_width"] == 0.38
     page = tmp_path / "broken.yaml"
-    text = Path("conf/world/primitive_b.yaml").read_text(encoding="utf-8")
+    text = world_file("primitive_b").read_text(encoding="utf-8")
     page.write_text(text.replace("start: {x: 0.0, y: 0.0", "start: {x: 0.4, y: 0.4"), "utf-8")
     assert run(monkeypatch, "world", "check", page) == 1
     assert "starts in wall" in capsys.readouterr().out
@@ -103,3 +106,7 @@ def test_an_imported_world_is_checked_drawn_and_never_overwritten(
     before = page.read_bytes()
     assert run(monkeypatch, "world", "import", file, "-o", page, *options) == 1
     assert page.read_bytes() == before
+    capsys.readouterr()
+    nowhere = tmp_path / "nowhere" / "crates.yaml"
+    assert run(monkeypatch, "world", "import", file, "-o", nowhere, *options) == 1
+    assert "cannot be written" in capsys.readouterr().err
