@@ -46,8 +46,11 @@ def _largest(values: Grid) -> float:
 
 
 def _trial(values: Grid, number: int) -> Grid:
-    """Give the column of one repetition (1-based); empty when nobody drove it."""
-    return values[..., number - 1 : number]
+    """Give the column of one repetition (1-based); empty below TRIALS columns.
+
+    The one trial a quantile of the arm-stiffness study is a first one by number alone.
+    """
+    return values[..., number - 1 : number] if values.shape[-1] >= TRIALS else values[..., :0]
 
 
 def _ratio(above: float, below: float) -> float:

@@ -47,7 +47,7 @@ def _bar(axes: Axes, place: int, bar: Bar, colour: str) -> None:
     if not solid:
         _dots(axes, place, bar, colour)
     axes.annotate(
-        f"{mean:.1f}" if mean < 100 else f"{mean:.0f}",
+        f"{mean:.0f}" if mean >= 100 or bar.estimate.n == 1 else f"{mean:.1f}",
         (place, 0),
         xytext=(0, -4),
         textcoords="offset points",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import ceil, hypot
+from math import ceil
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -11,7 +11,7 @@ from omnistudy.analysis.driven_paths import DrivenPath, DrivenPaths
 from omnistudy.report.picture import DataTable, to_svg, watermark
 from omnistudy.report.style import INK, MUTED, PAPER, colours, drawing, name_of
 from omnistudy.worlds import World
-from omnistudy.worlds.drawing import draw_plan
+from omnistudy.worlds.drawing import draw_plan, extent
 
 ACROSS = 2
 WIDTH = 7.6
@@ -72,10 +72,7 @@ def _extent(
         for x, y in zip(path.x, path.y, strict=True)
     ]
     if world is not None:
-        for body in world.scene.bodies:
-            size = body.geometry
-            reach = hypot(size.x, size.y) / 2 if size.shape == "box" else size.radius
-            points += [(body.x - reach, body.y - reach), (body.x + reach, body.y + reach)]
+        points += [(float(x), float(y)) for x, y in extent(world)]
     if not points:
         return -1.0, 1.0, -1.0, 1.0
     xs, ys = zip(*points, strict=True)
@@ -111,7 +108,7 @@ def path_tables(conditions: tuple[DrivenPaths, ...]) -> tuple[DataTable, DataTab
     data = DataTable(
         ("condition", "participant", "repetition", "what", "x (m)", "y (m)"),
         tuple(
-            (paths.condition, path.participant, path.repetition, what, round(x, 3), round(y, 3))
+            (paths.condition, path.participant, path.repetition, what, round(x, 2), round(y, 2))
             for paths in conditions
             for path in paths.paths
             for what, x, y in _points(path)

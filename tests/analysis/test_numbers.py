@@ -11,7 +11,7 @@ import pytest
 from synthetic_study import Synthetic
 
 from omnistudy.analysis.arm_stiffness import arm_stiffness_curve
-from omnistudy.analysis.comparison import compare
+from omnistudy.analysis.comparison import OVER_DRAWS, OVER_PRIOR, compare
 from omnistudy.analysis.counting import count_attempts, counted
 from omnistudy.analysis.estimate import UNKNOWN, Interval, estimate
 from omnistudy.analysis.outcomes import Place, collisions, completion_times
@@ -129,6 +129,19 @@ def test_numbers_with_feedback_are_intervals_over_the_prior_never_points(
     assert (row.interval.low, row.interval.high) == pytest.approx((means.min(), means.max()))
     for row in compare(published, arms, "collisions"):
         assert (row.point is None) == (row.claim.arm != "without")
+
+
+def test_what_speaks_of_three_trials_is_never_computed_from_the_one_of_the_arm_study(
+    synthetic: Synthetic,
+) -> None:
+    rows = {
+        row.claim.key: row
+        for row in compare(synthetic.published(), synthetic.arms(), "collisions_legacy")
+    }
+    for key in ("best_with_max", "best_with_later", "worst_with_first", "worst_with_last"):
+        assert rows[key].method == OVER_DRAWS
+    for key in ("mean_with", "worst_with_mean", "time_ratio"):
+        assert rows[key].method == OVER_PRIOR
 
 
 def test_a_verdict_is_a_hit_only_when_the_intervals_meet(synthetic: Synthetic) -> None:
