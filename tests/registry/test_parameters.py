@@ -6,6 +6,7 @@ import pytest
 
 from omnistudy.errors import UnknownKind
 from omnistudy.errors.parameters import BadParameter, NotASetting, UnknownParameter
+from omnistudy.laws.boundary import RectangularBoundary
 from omnistudy.laws.component import ComponentLaw
 from omnistudy.laws.none import NoLaw
 from omnistudy.registry.parameters import make_kind, parameters
@@ -91,3 +92,15 @@ def test_a_wrong_value_is_told_with_its_name(setting: str, said: str) -> None:
 def test_a_wrong_kind_is_told_the_nearest() -> None:
     with pytest.raises(UnknownKind, match="did you mean 'component'"):
         make_kind("laws", "compnent")
+
+
+class Thick(ComponentLaw):
+    """A law whose own default differs from that of what it holds."""
+
+    boundary: RectangularBoundary = RectangularBoundary(layer_x=0.3)
+
+
+def test_what_is_not_named_keeps_the_default_of_the_kind(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("omnistudy.registry.parameters.load_kind", lambda group, kind: Thick)
+    law = make_kind("laws", "component", ["boundary.layer_y=0.2"])
+    assert (law.boundary.layer_x, law.boundary.layer_y) == (0.3, 0.2)
