@@ -37,6 +37,16 @@ class NotAnArmStudy(OmnistudyError):
         )
 
 
+class NoFolderForReport(OmnistudyError):
+    """A page that would go into a folder that does not exist."""
+
+    def __init__(self, page: Path) -> None:
+        super().__init__(
+            f"{page} cannot be written: there is no folder {page.parent}; make it first or choose "
+            "another file with -o"
+        )
+
+
 class NotAReport(OmnistudyError):
     """A file that would be overwritten although no report of ours made it."""
 

@@ -8,7 +8,7 @@ from contextlib import ExitStack
 from pathlib import Path
 
 from omnistudy.analysis.report import Report, analyse
-from omnistudy.errors.analysis import NotAReport
+from omnistudy.errors.analysis import NoFolderForReport, NotAReport
 from omnistudy.report.page import GENERATOR, render
 from omnistudy.report.source import study_tables
 from omnistudy.store.study_file import open_study
@@ -42,7 +42,7 @@ def write_report(
     """Write the page of a study; an older report there is replaced, anything else is refused.
 
     `done` is called after each of STEPS steps: the numbers, the pictures.
-    Raises NotAReport, and what `analyse_study` raises; then nothing is written.
+    Raises NoFolderForReport, NotAReport, and what `analyse_study` raises; then nothing is written.
     """
     _refuse_other_files(page)
     report, world = analyse_study(study, arm_study)
@@ -59,6 +59,8 @@ def write_report(
 
 
 def _refuse_other_files(page: Path) -> None:
+    if not page.parent.is_dir():
+        raise NoFolderForReport(page)
     if not page.exists():
         return
     if page.is_dir():

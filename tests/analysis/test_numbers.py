@@ -109,6 +109,14 @@ def test_curve_over_the_prior_has_a_mean_a_quantile(synthetic: Synthetic) -> Non
         arm_stiffness_curve(synthetic.published(), "collisions")
 
 
+def test_curve_counts_who_ran_out_of_time(synthetic: Synthetic) -> None:
+    arms = synthetic.arms()
+    arms.trials.loc[arms.trials.index[:1], "status"] = "timed_out"
+    curve = arm_stiffness_curve(arms, "collisions")
+    assert [point.timed_out for point in curve.points] == [1, 0, 0, 0, 0]
+    assert [point.collisions.n for point in curve.points] == [8] * 5
+
+
 def test_every_claim_has_a_row_and_what_was_calibrated_is_called_so(synthetic: Synthetic) -> None:
     rows = {
         row.claim.key: row
@@ -142,6 +150,20 @@ def test_what_speaks_of_three_trials_is_never_computed_from_the_one_of_the_arm_s
         assert rows[key].method == OVER_DRAWS
     for key in ("mean_with", "worst_with_mean", "time_ratio"):
         assert rows[key].method == OVER_PRIOR
+
+
+def test_a_group_without_a_collision_misses_what_the_driver_was_calibrated_on(
+    synthetic: Synthetic,
+) -> None:
+    nobody = synthetic.published()
+    nobody.trials["collisions"] = 0
+    rows = {row.claim.key: row for row in compare(nobody, None, "collisions")}
+    calibrated = rows["mean_without"]
+    assert (calibrated.point, calibrated.interval) == (0.0, Interval(0.0, 0.0))
+    assert (calibrated.verdict, calibrated.agrees) == ("calibrated", False)
+    assert rows["third_without"].verdict == "miss"
+    assert rows["best_with_max"].verdict == "hit"
+    assert rows["learning_without"].verdict == "open", "nothing over nothing"
 
 
 def test_a_verdict_is_a_hit_only_when_the_intervals_meet(synthetic: Synthetic) -> None:

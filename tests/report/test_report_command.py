@@ -56,6 +56,27 @@ def test_another_file_is_never_replaced(
     assert mine.read_text(encoding="utf-8") == "<html>my own</html>"
 
 
+def test_a_page_in_no_folder_is_refused_at_once(
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    study: Path,
+    tmp_path: Path,
+) -> None:
+    assert run(monkeypatch, "report", study, "-o", tmp_path / "none" / "page.html") == 1
+    assert f"there is no folder {tmp_path / 'none'}" in capsys.readouterr().err
+
+
+def test_an_arm_study_that_lies_beside_is_named_and_not_used(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], study: Path
+) -> None:
+    beside = study.with_name("utah2017_arm_stiffness.db")
+    beside.touch()
+    assert run(monkeypatch, "report", study) == 0
+    assert f"--arm-study {beside}" in capsys.readouterr().err
+    assert "No arm-stiffness study was given" in study.with_suffix(".html").read_text("utf-8")
+    beside.unlink()
+
+
 def test_numbers_come_as_json(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], study: Path
 ) -> None:
