@@ -68,12 +68,16 @@ def test_a_start_in_a_wall_is_a_fault() -> None:
 
 def test_a_route_through_a_closed_wall_is_a_fault() -> None:
     closed = (*corridor().bodies, wall("closed", (2.0, -0.5), (2.0, 0.5)))
-    assert any("closed" in fault for fault in checked(corridor(bodies=closed)).faults)
+    (fault,) = checked(corridor(bodies=closed)).faults
+    assert "leads through wall 'closed'" in fault
 
 
 def test_a_passage_narrower_than_the_robot_is_a_fault() -> None:
-    assert checked(corridor(half=0.23)).faults != ()
-    assert checked(corridor(half=0.3)).faults == ()
+    # Half the robot is 0.19 m wide and half a wall 0.05 m thick.
+    left, right = checked(corridor(half=0.23)).faults[-2:]
+    assert "0.18 m from wall 'left', nearer than half the robot's width" in left
+    assert "0.18 m from wall 'right'" in right
+    assert checked(corridor(half=0.25)).faults == ()
 
 
 def test_a_door_on_a_hinge_may_be_driven_through_and_a_nailed_one_not() -> None:
@@ -94,7 +98,9 @@ def test_legs_that_do_not_join_are_a_fault() -> None:
         Leg(target="finish", path=((0, 0), (4, 0))),
         Leg(target="finish", path=((3, 0), (4, 0))),
     )
-    assert checked(corridor(routes=(Route(name="r", legs=legs),))).faults != ()
+    (fault,) = checked(corridor(routes=(Route(name="r", legs=legs),))).faults
+    assert "does not join: the end of the leg to 'finish' is at (4.00, 0.00)" in fault
+    assert "begins at (3.00, 0.00)" in fault
 
 
 def test_a_route_without_a_finish_is_a_fault() -> None:

@@ -15,7 +15,7 @@ from omnistudy.worlds.drawing import draw_plan, extent
 
 @pytest.mark.parametrize("name", world_names())
 def test_names_lie_within_the_picture_and_apart(name: str) -> None:
-    figure = Figure(figsize=(7.0, 7.0))
+    figure = Figure(figsize=(6.0, 7.0))
     canvas = FigureCanvasAgg(figure)
     axes = figure.add_axes((0.02, 0.1, 0.96, 0.86))
     draw_plan(load_world(name), axes)
