@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from omnistudy.devices.stick_scale import FULL_DUTY
+
 
 def motor_counts_as_published(
-    force: float, centring: float, gravity: float, limit: float = 255.0
+    force: float, centring: float, gravity: float, limit: float = FULL_DUTY
 ) -> float:
     """Give the net of the two pins as the firmware drives them (Tyagi 2017, App. B).
 

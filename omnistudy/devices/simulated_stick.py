@@ -7,7 +7,11 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from omnistudy.devices.device import Device, RunningDevice
-from omnistudy.devices.stick_scale import StickScale
+from omnistudy.devices.stick_scale import (
+    FORCE_AT_FULL_DUTY,
+    TORQUE_AT_FULL_DUTY,
+    StickScale,
+)
 from omnistudy.registry import Model
 from omnistudy.units import NewtonMetres, Newtons, Positive, Ratio
 
@@ -43,9 +47,9 @@ class SimulatedStick(Device):
     x: Axis = Axis(gravity=100.0)
     y: Axis = Axis(gravity=70.0)
     theta: Axis = Axis(proportional=1.9 * 0.7, derivative=1.1 * 0.042, travel=1440.0)
-    force_limit: Annotated[Newtons, Positive] = 13.5
+    force_limit: Annotated[Newtons, Positive] = FORCE_AT_FULL_DUTY
     """At the handle for 255 PWM counts, in x and y."""
-    torque_limit: Annotated[NewtonMetres, Positive] = 4.4
+    torque_limit: Annotated[NewtonMetres, Positive] = TORQUE_AT_FULL_DUTY
     """At the handle for 255 PWM counts; published, though 15 x 85.6 mN·m is 1.28 N·m."""
     ticks_per_step: Annotated[int, Field(ge=1, le=16)] = 2
     """Firmware ticks in one physics step: 480 Hz at 240 Hz physics."""

@@ -10,6 +10,7 @@ from omnistudy.devices.device import DeviceState, Hand, RunningDevice
 from omnistudy.devices.mechanics import HeldStep, held_step
 from omnistudy.devices.motor import motor_counts_as_published
 from omnistudy.devices.simulated_stick import DEGREES_PER_COUNT, Axis, SimulatedStick
+from omnistudy.devices.stick_scale import FULL_DUTY
 from omnistudy.geometry import NO_FORCE, ForceField
 
 
@@ -29,7 +30,7 @@ class _Mechanism(NamedTuple):
 
 def _in_si(axis: Axis, limit: float, per_count: float, lever: float) -> _Mechanism:
     per_degree = per_count / DEGREES_PER_COUNT
-    counts_per_newton = 255.0 / limit
+    counts_per_newton = FULL_DUTY / limit
     mass = 1.0 / (counts_per_newton * axis.gain * per_degree)
     return _Mechanism(
         limit=limit,

@@ -8,6 +8,13 @@ from typing import Annotated
 from omnistudy.registry import Model
 from omnistudy.units import Metres, Positive, Ratio
 
+FULL_DUTY = 255.0
+"""PWM counts a motor gets at most."""
+FORCE_AT_FULL_DUTY = 13.5
+"""N at the handle, x and y (Tyagi 2017, ch. 2); 15 x 85.6 mN·m on 0.095 m."""
+TORQUE_AT_FULL_DUTY = 4.4
+"""N·m about the handle as published, though 15 x 85.6 mN·m is 1.28 N·m."""
+
 
 class StickScale(Model):
     """Counts per degree of the handle and the handle's length (Tyagi 2017, App. B).

@@ -7,12 +7,13 @@ from math import floor
 import numpy as np
 from numpy.typing import NDArray
 
+from omnistudy.devices.stick_scale import FORCE_AT_FULL_DUTY, FULL_DUTY, TORQUE_AT_FULL_DUTY
 from omnistudy.geometry import PlanarTwist, Scan
 
-NEWTONS_PER_COUNT = 13.5 / 255
+NEWTONS_PER_COUNT = FORCE_AT_FULL_DUTY / FULL_DUTY
 """N at the handle for one count of PWM in x and y (ch. 2: 13.5 N; 255 is the full duty)."""
 
-NEWTON_METRES_PER_COUNT = 4.4 / 255
+NEWTON_METRES_PER_COUNT = TORQUE_AT_FULL_DUTY / FULL_DUTY
 """N·m at the handle for one count of PWM in theta (ch. 2: 4.4 N·m)."""
 
 FAR_CLIP = 0.5
