@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 
 from omnistudy.geometry import ZERO_MATRIX, PlanarPose, PlanarTwist
 from omnistudy.laws.law import Law, Sensed
-from omnistudy.laws.picture import picture
 from omnistudy.laws.probe import Probe, probe
 from omnistudy.laws.robot_drawing import CLOCKWISE, COUNTER_CLOCKWISE, INK, ROBOT, draw_robot
 from omnistudy.laws.standard_scenes import STANDARD_SCENES, VIEW, StandardScene
+from omnistudy.pictures import picture
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -10,10 +10,10 @@ import numpy as np
 
 from omnistudy.geometry import ZERO_MATRIX, PlanarPose, PlanarTwist, Scan
 from omnistudy.laws.law import Law, Sensed
-from omnistudy.laws.picture import picture
 from omnistudy.laws.probe import Probe, probe
 from omnistudy.laws.robot_drawing import CLOCKWISE, COUNTER_CLOCKWISE, INK, draw_robot
 from omnistudy.laws.springs import SpringLaw
+from omnistudy.pictures import picture
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
