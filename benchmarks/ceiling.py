@@ -5,8 +5,7 @@ from __future__ import annotations
 import time
 from math import cos, pi, sin
 
-import pybullet
-
+from omnistudy.plants.bullet import pybullet
 from omnistudy.trial import TrialSpec
 
 SIMULATED_SECONDS = 20
