@@ -19,7 +19,8 @@ def read_path(file: Path, step: float = 1.0, first: Point = (0.0, 0.0)) -> tuple
         if file.suffix == ".npy":
             rows = np.load(file, allow_pickle=False)
         else:
-            rows = np.loadtxt(file, delimiter=",", ndmin=2)
+            lines = file.read_text(encoding="utf-8").split("\n")
+            rows = np.array([line.split(",") for line in lines if line.strip()], dtype=np.float64)
     except FileNotFoundError:
         raise BrokenPath(file, "there is no such file") from None
     except (OSError, ValueError, EOFError) as cause:

@@ -192,3 +192,11 @@ def test_real_barn_worlds_hold_every_cylinder(shared_data: Path) -> None:
         cylinders = sum("<cylinder>" in collision for collision in collisions)
         assert len(world.bodies) == cylinders + 1
         assert world.routes[0].legs[0].path[-1] == (-2.25, 13.0)
+
+
+@pytest.mark.parametrize("text", ["", "\n\n", "1,2\n3\n", "1,2,3\n", "a,b\n"])
+def test_csv_path_that_is_none_is_one_sentence(tmp_path: Path, text: str) -> None:
+    file = tmp_path / "path.csv"
+    file.write_text(text, encoding="utf-8")
+    with pytest.raises(BrokenPath):
+        read_path(file)
