@@ -33,7 +33,7 @@ def draw_wrenches(traces: tuple[WrenchTrace, ...], key: str, alt: str, kind: str
             wspace=0.22,
         )
         for number, (row, trace) in enumerate(zip(grid, traces, strict=True)):
-            seconds = _broken(trace.t - trace.t[0]) if len(trace.t) else trace.t
+            seconds = broken_at_gaps(trace.t - trace.t[0]) if len(trace.t) else trace.t
             for axes, (name, title), limit in zip(row, COLUMNS, limits, strict=True):
                 axes.axhline(0.0, color=LINE, lw=0.8, zorder=1)
                 axes.plot(seconds, getattr(trace, name), color=palette[trace.condition], lw=0.9)
@@ -56,8 +56,8 @@ def draw_wrenches(traces: tuple[WrenchTrace, ...], key: str, alt: str, kind: str
         return to_svg(figure, key, alt)
 
 
-def _broken(seconds: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Leave out the instants after which the part was left for a while, so that no line joins."""
+def broken_at_gaps(seconds: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Give NaN for the instants after which the part was left, so that no line joins the ends."""
     steps = np.diff(seconds, append=seconds[-1])
     return np.where(steps > 2.0 * np.median(steps), np.nan, seconds)
 

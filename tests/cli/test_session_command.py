@@ -10,6 +10,7 @@ import pytest
 
 from omnistudy.cli import demo as demo_command
 from omnistudy.cli.app import main
+from omnistudy.store import StudyWriter
 
 SHORT = (
     "utah2017_component",
@@ -55,6 +56,17 @@ def test_a_session_is_planned_run_in_two_goes_and_planned_again(
 
     assert run(monkeypatch, "session", "plan", "first", "P01") == 0
     assert "planned" not in capsys.readouterr().out.replace("expected", "")
+
+
+def test_a_trial_that_a_killed_run_left_running_is_announced_too(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], studies: Path
+) -> None:
+    assert run(monkeypatch, "study", "create", *SHORT, "--name", "first") == 0
+    with StudyWriter.open(studies / "first.db") as writer:
+        writer.start_trial(writer.planned_trials()[0].id)
+    capsys.readouterr()
+    assert run(monkeypatch, "session", "run", "first", "--dry-run") == 0
+    assert capsys.readouterr().out == "6 trials would run\n"
 
 
 def test_an_unknown_participant_and_a_changed_protocol_are_one_sentence(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import replace
 from math import exp, log
 
 import numpy as np
@@ -13,7 +15,7 @@ from omnistudy.protocol import Protocol
 from omnistudy.session import calibrate as room
 from omnistudy.session.calibrate import calibrate
 from omnistudy.session.population import Population, ResponsePoint, Targets
-from omnistudy.trial import TrialSpec
+from omnistudy.trial import TrialResult, TrialSpec
 
 LINE = tuple(ResponsePoint(skill, 10.0 * skill, 10) for skill in (1.0, 2.0, 4.0))
 """Ten collisions a unit of skill."""
@@ -80,6 +82,29 @@ def test_no_trial_with_feedback_is_run(
     assert set(laws) == {"none"}
     assert len(laws) == 9
     assert found.expected_mean == pytest.approx(2.0, rel=0.02)
+
+
+def test_collisions_are_counted_as_published(
+    short_protocol: Protocol, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run_all = room.run_all
+
+    def rubbing(specs: list[TrialSpec], workers: int) -> Iterator[TrialResult]:
+        for spec, result in zip(specs, run_all(specs, workers), strict=True):
+            skill = spec.operator.model_dump()["skill_median"]
+            yield replace(result, collisions=0, collisions_legacy=round(4 * skill))
+
+    monkeypatch.setattr(room, "run_all", rubbing)
+    found = calibrate(
+        short_protocol,
+        Targets(8.0, 6.0, 10.0),
+        skills=(1.0, 3.0),
+        each=3,
+        check=3,
+        seed="test",
+        workers=1,
+    )
+    assert [point.collisions for point in found.response] == [4.0, 12.0]
 
 
 def test_protocol_without_a_free_condition_is_refused(short_protocol: Protocol) -> None:

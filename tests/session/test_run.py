@@ -115,6 +115,16 @@ def test_run_that_was_killed_goes_on_and_ends_like_an_unbroken_one(
     assert sample_digest(broken) == sample_digest(whole)
 
 
+def test_trial_that_a_killed_run_left_running_is_run_again(short_study: Path) -> None:
+    with StudyWriter.open(short_study) as writer:
+        first = writer.planned_trials()[0]
+        writer.start_trial(first.id)
+    ran: list[int] = []
+    summary = run_trials(short_study, limit=1, finished=lambda trial, _: ran.append(trial.id))
+    assert ran == [first.id]
+    assert summary.remaining == TRIALS - 1
+
+
 def test_trial_of_the_database_re_simulates_to_the_same_samples(
     short_study: Path, short_protocol: Protocol
 ) -> None:
