@@ -21,6 +21,7 @@ ROUNDS = 3
 
 
 def machine() -> dict[str, object]:
+    """Say what it was measured on."""
     return {
         "python": platform.python_version(),
         "pybullet": version("pybullet"),
@@ -46,6 +47,7 @@ def trial_speed() -> dict[str, float]:
 
 
 def main() -> None:
+    """Measure everything and print one JSON."""
     measured = trial_speed()
     peak = published_trial.in_own_process().peak_megabytes
     print(

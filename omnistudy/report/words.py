@@ -63,8 +63,7 @@ def out_of_time(report: Report) -> str:
     if not late:
         return ""
     why = (
-        " Feedback can hold a loose virtual arm, in a dead end for example, where a person would "
-        "push harder."
+        " Feedback can hold a virtual driver whose arm is loose even at its greatest effort."
         if report.study.kind == "virtual"
         else ""
     )
