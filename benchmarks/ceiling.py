@@ -20,7 +20,9 @@ def simulated_seconds_per_second(spec: TrialSpec) -> float:
     the lidar's rays. The robot swings to and fro where it starts.
     """
     physics_hz, scan_hz = spec.recording.physics_hz, spec.recording.scan_hz
-    plant = spec.plant.build(spec.world.scene, spec.world.start.pose, physics_hz)
+    plant = spec.plant.build(
+        spec.world.scene, spec.world.start.pose, physics_hz, spec.person.trial_seed
+    )
     robot = pybullet.getBodyUniqueId(pybullet.getNumBodies() - 1)
     rays_from, rays_to = _rays(spec)
     scans = -1

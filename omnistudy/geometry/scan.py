@@ -13,14 +13,19 @@ class Scan:
     """Ranges seen around the robot at one instant.
 
     angles : (n,) rad, robot frame, counter-clockwise from straight ahead.
-    ranges : (n,) m from the robot's centre; a ray that met nothing holds `max_range`.
+    ranges : (n,) m from where the ray starts; a ray that met nothing holds `max_range`.
     max_range : m; a range at or beyond it is no detection.
+    origins : (n, 2) m, robot frame, where each ray starts; None for the robot's centre.
+    rates : (n,) m/s, how fast each range grows, from a sensor that tells it; None from others.
     """
 
     angles: NDArray[np.float64]
     ranges: NDArray[np.float64]
     max_range: float
+    origins: NDArray[np.float64] | None = None
+    rates: NDArray[np.float64] | None = None
 
     def mirrored(self) -> Scan:
         """Give the scan of the scene reflected left to right."""
-        return Scan(-self.angles, self.ranges, self.max_range)
+        origins = None if self.origins is None else self.origins * (1.0, -1.0)
+        return Scan(-self.angles, self.ranges, self.max_range, origins, self.rates)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import floor
 
 import numpy as np
@@ -22,7 +23,7 @@ FAR_CLIP = 0.5
 
 def clipped(scan: Scan) -> Scan:
     """Give the scan as a sensor would see it that reaches no farther than the published one."""
-    return Scan(scan.angles, scan.ranges, min(scan.max_range, FAR_CLIP))
+    return replace(scan, max_range=min(scan.max_range, FAR_CLIP))
 
 
 def previous_angles(angles: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -16,8 +16,11 @@ class Plant(KindModel, ABC):
     """Parameters of a robot; `build` makes the running one."""
 
     @abstractmethod
-    def build(self, scene: Scene, start: PlanarPose, physics_hz: int) -> RunningPlant:
-        """Put the robot into the scene; raises StartsInWall when it does not fit there."""
+    def build(self, scene: Scene, start: PlanarPose, physics_hz: int, seed: str) -> RunningPlant:
+        """Put the robot into the scene; raises StartsInWall when it does not fit there.
+
+        seed : of the trial, behind every draw of the robot, such as the noise of its sensors.
+        """
 
     @property
     @abstractmethod

@@ -67,8 +67,8 @@ class Youbot(Plant):
             (-fl + fr - rl + rr) * quarter / self.wheel_lever,
         )
 
-    def build(self, scene: Scene, start: PlanarPose, physics_hz: int) -> RunningPlant:
-        """Put the base into the scene; raises StartsInWall."""
+    def build(self, scene: Scene, start: PlanarPose, physics_hz: int, seed: str) -> RunningPlant:
+        """Put the base into the scene; it draws nothing. Raises StartsInWall."""
         from omnistudy.plants.youbot_physics import RunningYoubot
 
         return RunningYoubot(self, scene, start, physics_hz)

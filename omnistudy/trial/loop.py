@@ -37,7 +37,9 @@ def resimulate(spec: TrialSpec, recorded: NDArray[np.float64]) -> TrialResult:
 
 
 def _run(spec: TrialSpec, source: Source) -> TrialResult:
-    plant = spec.plant.build(spec.world.scene, spec.world.start.pose, spec.recording.physics_hz)
+    plant = spec.plant.build(
+        spec.world.scene, spec.world.start.pose, spec.recording.physics_hz, spec.person.trial_seed
+    )
     try:
         return _Loop(spec, source, plant).run()
     finally:

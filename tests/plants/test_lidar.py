@@ -19,7 +19,7 @@ FRONT, LEFT, REAR, RIGHT = 64, 96, 0, 32
 
 
 def seen(bodies: tuple[Body, ...], pose: PlanarPose) -> NDArray[np.float64]:
-    plant = Youbot().build(scene(*bodies), pose, 240)
+    plant = Youbot().build(scene(*bodies), pose, 240, "seed")
     scan = plant.scan()
     plant.close()
     assert scan is not None
@@ -92,7 +92,7 @@ def test_low_blocks_are_not_seen_but_a_door_is() -> None:
 
 def test_rays_and_range_are_parameters() -> None:
     youbot = Youbot(lidar=Lidar(rays=16, max_range=2.0))
-    plant = youbot.build(scene(wall_ahead(1.5)), PlanarPose(0, 0, 0), 240)
+    plant = youbot.build(scene(wall_ahead(1.5)), PlanarPose(0, 0, 0), 240, "seed")
     scan = plant.scan()
     plant.close()
     assert scan is not None

@@ -24,7 +24,7 @@ ORIGIN = PlanarPose(0.0, 0.0, 0.0)
 
 @contextmanager
 def youbot(*bodies: Body, start: PlanarPose = ORIGIN) -> Iterator[RunningPlant]:
-    plant = Youbot().build(scene(*bodies), start, HZ)
+    plant = Youbot().build(scene(*bodies), start, HZ, "seed")
     try:
         yield plant
     finally:
@@ -197,13 +197,13 @@ def test_a_door_does_not_open_by_itself() -> None:
 
 def test_a_start_inside_a_wall_is_refused_by_name() -> None:
     with pytest.raises(StartsInWall, match=r"x = 0\.3 m, y = 0 m inside ahead: move"):
-        Youbot().build(scene(wall_ahead(0.5)), PlanarPose(0.3, 0.0, 0.0), HZ)
+        Youbot().build(scene(wall_ahead(0.5)), PlanarPose(0.3, 0.0, 0.0), HZ, "seed")
 
 
 def test_a_start_inside_a_wall_leaves_no_physics_behind() -> None:
     for _ in range(2):
         with pytest.raises(StartsInWall):
-            Youbot().build(scene(wall_ahead(0.5)), PlanarPose(0.3, 0.0, 0.0), HZ)
+            Youbot().build(scene(wall_ahead(0.5)), PlanarPose(0.3, 0.0, 0.0), HZ, "seed")
     with youbot(wall_ahead(0.5)) as plant:
         assert drive(plant, PlanarTwist(0.36, 0, 0), 1.0)[-1].walls == ("ahead",)
 

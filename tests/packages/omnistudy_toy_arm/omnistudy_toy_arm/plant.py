@@ -35,7 +35,7 @@ class ToyArm(Plant):
     def width(self) -> float:
         return self.foot
 
-    def build(self, scene: Scene, start: PlanarPose, physics_hz: int) -> RunningPlant:
+    def build(self, scene: Scene, start: PlanarPose, physics_hz: int, seed: str) -> RunningPlant:
         return _RunningArm(start, physics_hz)
 
 
