@@ -274,7 +274,7 @@ class Blind(Plant):
     def width(self) -> float:
         return 0.1
 
-    def build(self, scene: Scene, start: PlanarPose, physics_hz: int) -> RunningPlant:
+    def build(self, scene: Scene, start: PlanarPose, physics_hz: int, seed: str) -> RunningPlant:
         return _Blind(start, physics_hz)
 
 
