@@ -42,5 +42,5 @@ class ComponentLaw(SpringLaw):
     def turning(self, touches: Touches) -> tuple[float, float]:
         """Give mean(-k·py·(d·cos a - c)) over the touching rays, and its damper."""
         across = touches.depth * touches.sin
-        arm = touches.distance * touches.cos - self.compliance_centre
+        arm = touches.x - self.compliance_centre
         return 0.0 - self.stiffness.theta * self.mean(across, arm), self.damping.theta

@@ -63,14 +63,28 @@ class Touches(NamedTuple):
     """The springs that touch, all arrays (n,).
 
     depth : m, radial penetration.
-    distance : m, from the robot's centre to what is touched.
+    distance : m, from where the ray starts to what is touched.
     cos, sin : direction that the spring is resolved with.
+    origins : (n, 2) m, robot frame, where each ray starts; None for the robot's centre.
     """
 
     depth: Floats
     distance: Floats
     cos: Floats
     sin: Floats
+    origins: Floats | None = None
+
+    @property
+    def x(self) -> Floats:
+        """How far ahead of the robot's centre each touched point lies, in m."""
+        along = self.distance * self.cos
+        return along if self.origins is None else self.origins[:, 0] + along
+
+    @property
+    def y(self) -> Floats:
+        """How far to the left of the robot's centre each touched point lies, in m."""
+        along = self.distance * self.sin
+        return along if self.origins is None else self.origins[:, 1] + along
 
 
 class SpringLaw(WrenchLaw):
@@ -146,8 +160,8 @@ class SpringLaw(WrenchLaw):
 
     def _touches(self, penetrations: Penetrations, scan: Scan) -> Touches:
         cos, sin = _directions(np.asarray(scan.angles, np.float64).tobytes(), self.as_published)
-        rays, depth, distance = penetrations
-        return Touches(depth, distance, cos[rays], sin[rays])
+        rays, depth, distance, origins = penetrations
+        return Touches(depth, distance, cos[rays], sin[rays], origins)
 
     def _damped(self, springs: PlanarWrench, dampers: Vector3, twist: PlanarTwist) -> PlanarWrench:
         if self.as_published:

@@ -88,7 +88,7 @@ def _place(steps: Sequence[str | int], model: type[BaseModel], tree: Any) -> _Pl
         if isinstance(step, str):
             around = models
             field = next((m.model_fields[step] for m in models if step in m.model_fields), None)
-            models = _selected(step, value) or _models_in(field.annotation if field else None)
+            models = _selected(step, value) or models_in(field.annotation if field else None)
     return _Place(".".join(path), around, field)
 
 
@@ -117,10 +117,11 @@ def _selected(key: str, value: Any) -> tuple[type[BaseModel], ...]:
         return ()
 
 
-def _models_in(annotation: Any) -> tuple[type[BaseModel], ...]:
+def models_in(annotation: Any) -> tuple[type[BaseModel], ...]:
+    """Give the models that a field's type names, inside unions and tuples too."""
     if isinstance(annotation, type) and issubclass(annotation, BaseModel):
         return (annotation,)
-    return tuple(model for part in get_args(annotation) for model in _models_in(part))
+    return tuple(model for part in get_args(annotation) for model in models_in(part))
 
 
 def _tag(model: type[BaseModel]) -> Any:

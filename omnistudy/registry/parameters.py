@@ -11,8 +11,10 @@ from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails, PydanticUndefined
 
 from omnistudy.errors.parameters import BadParameter, NotASetting, UnknownParameter
+from omnistudy.registry.faults import Fault, faults, models_in
 from omnistudy.registry.field_unit import unit_of
 from omnistudy.registry.kinds import load_kind
+from omnistudy.registry.model import KindModel
 
 
 class Parameter(NamedTuple):
@@ -31,18 +33,34 @@ class Parameter(NamedTuple):
 
 
 def parameters(kind_class: type[BaseModel]) -> tuple[Parameter, ...]:
-    """List the parameters of a kind, nested ones by dotted path, without `kind` itself."""
+    """List the parameters of a kind, nested ones by dotted path, without `kind` itself.
+
+    Where a field may hold one of several kinds, which one is a parameter too.
+    """
     return tuple(_parameters(kind_class, ""))
 
 
 def _parameters(model: type[BaseModel], prefix: str) -> Iterator[Parameter]:
     for name, field in model.model_fields.items():
         default = _default(field)
-        if isinstance(default, BaseModel):
+        if isinstance(default, KindModel) and len(models_in(field.annotation)) > 1:
+            yield from _alternatives(field, default, f"{prefix}{name}.")
+        elif isinstance(default, BaseModel):
             yield from _parameters(type(default), f"{prefix}{name}.")
         elif name != "kind":
             meaning = " ".join((field.description or "").split())
             yield Parameter(prefix + name, default, unit_of(field), meaning)
+
+
+def _alternatives(field: FieldInfo, default: KindModel, prefix: str) -> Iterator[Parameter]:
+    """List which kind a field holds, and the parameters of the default's kind before others'."""
+    models = sorted(models_in(field.annotation), key=lambda model: not isinstance(default, model))
+    named = [str(model.model_fields["kind"].default) for model in models]
+    yield Parameter(f"{prefix}kind", default.kind, "", f"One of {', '.join(named)}.")
+    for name, model in zip(named, models, strict=True):
+        for row in _parameters(model, prefix):
+            meaning = row.meaning if name == default.kind else f"Of kind {name}. {row.meaning}"
+            yield row._replace(meaning=meaning)
 
 
 def _default(field: FieldInfo) -> Any:
@@ -56,16 +74,25 @@ def make_kind(group: str, kind: str, settings: Sequence[str] = ()) -> Any:
     Raises UnknownKind, NotASetting, UnknownParameter with the nearest name, and BadParameter.
     """
     chosen = load_kind(group, kind)
-    values: dict[str, Any] = {}
-    for setting in settings:
-        name, equals, text = setting.partition("=")
-        if not name or not equals:
-            raise NotASetting(setting)
-        _put(values, name.strip(), _parsed(text), chosen, kind)
+    values: dict[str, Any] = {"kind": kind}
+    for name, text in sorted(map(_split, settings), key=lambda setting: not _picks(setting[0])):
+        _put(values, name, _parsed(text), chosen, kind)
     try:
-        return chosen.model_validate({"kind": kind, **values})
+        return chosen.model_validate(values)
     except ValidationError as refused:
-        raise BadParameter(kind, [_fault(error) for error in refused.errors()]) from None
+        told = zip(refused.errors(), faults(refused, chosen, values), strict=True)
+        raise BadParameter(kind, [_sentence(*both) for both in told]) from None
+
+
+def _split(setting: str) -> tuple[str, str]:
+    name, equals, text = setting.partition("=")
+    if not name or not equals:
+        raise NotASetting(setting)
+    return name.strip(), text
+
+
+def _picks(name: str) -> bool:
+    return name.endswith(".kind")
 
 
 def _put(values: dict[str, Any], name: str, value: Any, model: type[BaseModel], kind: str) -> None:
@@ -79,6 +106,8 @@ def _put(values: dict[str, Any], name: str, value: Any, model: type[BaseModel], 
         default = _default(field)
         values = values.setdefault(parent, default.model_dump())
         model = type(default)
+    if _picks(name) and value != values["kind"]:
+        values.clear()
     values[last] = value
 
 
@@ -96,6 +125,7 @@ def _parsed(text: str) -> Any:
     return value
 
 
-def _fault(error: ErrorDetails) -> str:
-    name = ".".join(str(part) for part in error["loc"])
-    return f"{name} = {error['input']!r}: {error['msg'].removeprefix('Value error, ')}"
+def _sentence(error: ErrorDetails, fault: Fault) -> str:
+    if error["type"] == "extra_forbidden":
+        return f"{fault.path}: {fault.sentence}"
+    return f"{fault.path} = {error['input']!r}: {error['msg'].removeprefix('Value error, ')}"
