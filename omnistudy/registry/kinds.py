@@ -15,6 +15,7 @@ BUILT_IN: Mapping[str, Mapping[str, str]] = {
         "none": "omnistudy.laws.none:NoLaw",
         "component": "omnistudy.laws.component:ComponentLaw",
         "zero_torque": "omnistudy.laws.zero_torque:ZeroTorqueLaw",
+        "infrared": "omnistudy.laws.infrared:InfraredLaw",
     },
     "controllers": {
         "rate": "omnistudy.controllers.rate:RateController",
@@ -37,7 +38,10 @@ BUILT_IN: Mapping[str, Mapping[str, str]] = {
     "worlds": {"plan": "omnistudy.worlds.world:World"},
     "orders": {
         "published_blocks": "omnistudy.protocol.ordering.published_blocks:PublishedBlocks",
-        "rotated": "omnistudy.protocol.ordering.rotated:Rotated",
+        "latin": "omnistudy.protocol.ordering.latin:Latin",
+        "williams": "omnistudy.protocol.ordering.williams:Williams",
+        "permuted_blocks": "omnistudy.protocol.ordering.permuted_blocks:PermutedBlocks",
+        "staircase": "omnistudy.protocol.ordering.staircase:Staircase",
     },
 }
 """Group -> kind -> "module:Class". Strings, so that asking for names imports nothing heavy."""
