@@ -28,7 +28,7 @@ from omnistudy.laws import published
 from omnistudy.laws.boundary import AnyBoundary, Penetrations, RectangularBoundary
 from omnistudy.laws.law import Sensed, WrenchLaw
 from omnistudy.registry import Model
-from omnistudy.units import NewtonSecondsPerMetre, NewtonsPerMetre
+from omnistudy.units import NewtonMetreSeconds, NewtonSecondsPerMetre, NewtonsPerMetre
 
 Floats = NDArray[np.float64]
 
@@ -57,6 +57,13 @@ class Damping(Model):
 
     y: Annotated[NewtonSecondsPerMetre, Ge(0.0)] = 90.0 * published.NEWTONS_PER_COUNT
     """90 PWM per m/s (appendix B, dgainY = 750·0.12): 4.765 N·s/m."""
+
+
+class TurningDamping(Damping):
+    """Dampers along the robot's axes and of its rotation."""
+
+    theta: Annotated[NewtonMetreSeconds, Ge(0.0)] = 12.0 * published.NEWTON_METRES_PER_COUNT
+    """12 PWM per rad/s (appendix B, dgainQ = 100·0.12): 0.207 N·m·s."""
 
 
 class Touches(NamedTuple):
@@ -103,8 +110,11 @@ class SpringLaw(WrenchLaw):
     """Do as the thesis's code does: the angle of the ray before, two decimals, far clip 0.5 m."""
 
     @abstractmethod
-    def turning(self, touches: Touches) -> tuple[float, float]:
-        """Give the springs' torque in N·m and the damping of rotation that joins it, N·m·s."""
+    def turning(self, touches: Touches, fx: float, fy: float) -> tuple[float, float]:
+        """Give the springs' torque in N·m and the damping of rotation that joins it, N·m·s.
+
+        fx, fy : N, what the springs push with.
+        """
 
     def wrench(self, scan: Scan, twist: PlanarTwist) -> PlanarWrench:
         """Give springs minus dampers in N, N, N·m, unclipped."""
@@ -151,7 +161,7 @@ class SpringLaw(WrenchLaw):
         touches = self._touches(penetrations, scan)
         fx = 0.0 - self.stiffness.x * self.mean(touches.depth, touches.cos)
         fy = 0.0 - self.stiffness.y * self.mean(touches.depth, touches.sin)
-        tau, turning_damping = self.turning(touches)
+        tau, turning_damping = self.turning(touches, fx, fy)
         return PlanarWrench(fx, fy, tau), (
             self.damping.x if fx else 0.0,
             self.damping.y if fy else 0.0,

@@ -15,6 +15,9 @@ BUILT_IN: Mapping[str, Mapping[str, str]] = {
         "none": "omnistudy.laws.none:NoLaw",
         "component": "omnistudy.laws.component:ComponentLaw",
         "zero_torque": "omnistudy.laws.zero_torque:ZeroTorqueLaw",
+        "spring_damper": "omnistudy.laws.spring_damper:SpringDamperLaw",
+        "quadrant": "omnistudy.laws.quadrant:QuadrantLaw",
+        "quadrant_smoothed": "omnistudy.laws.quadrant_smoothed:QuadrantSmoothedLaw",
         "infrared": "omnistudy.laws.infrared:InfraredLaw",
     },
     "controllers": {
