@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from omnistudy.cli.arguments import AsJson
+from omnistudy.cli.kind_verbs import add_list_and_show, kinds_of
 from omnistudy.cli.output import print_json, print_line, print_table
 
 if TYPE_CHECKING:
@@ -16,16 +17,13 @@ if TYPE_CHECKING:
     from omnistudy.laws.probe import Probe
 
 app = typer.Typer(no_args_is_help=True)
-
-
-def _kinds() -> list[str]:
-    from omnistudy.registry import kinds
-
-    return list(kinds("laws"))
-
+add_list_and_show(app, "law", "component")
 
 Kind = Annotated[
-    str, typer.Argument(help="Kind of law; `omnistudy law list` names them.", autocompletion=_kinds)
+    str,
+    typer.Argument(
+        help="Kind of law; `omnistudy law list` names them.", autocompletion=kinds_of("laws")
+    ),
 ]
 Settings = Annotated[
     list[str] | None,
@@ -38,42 +36,6 @@ def _finite(values: Triple) -> Triple:
     if not all(map(isfinite, values)):
         raise typer.BadParameter("three finite numbers are needed")
     return values
-
-
-@app.command("list")
-def list_laws(as_json: AsJson = False) -> None:
-    """List the kinds of laws, ours and those of installed packages.
-
-    Example: omnistudy law list
-    """
-    from omnistudy.laws.catalogue import catalogue
-
-    entries = catalogue()
-    if as_json:
-        print_json([entry._asdict() for entry in entries])
-    else:
-        print_table("laws", ("kind", "what it does", "from"), entries)
-
-
-@app.command()
-def show(kind: Kind, as_json: AsJson = False) -> None:
-    """Show a law's parameters with their defaults, units and sources.
-
-    Example: omnistudy law show component
-    """
-    from omnistudy.laws.catalogue import entry
-    from omnistudy.registry import load_kind
-    from omnistudy.registry.parameters import parameters
-
-    summary = entry(kind).summary
-    rows = parameters(load_kind("laws", kind))
-    if as_json:
-        listed = [row._asdict() for row in rows]
-        print_json({"kind": kind, "summary": summary, "parameters": listed})
-        return
-    print_line(summary)
-    if rows:
-        print_table(f"parameters of '{kind}'", ("name", "default", "unit", "meaning"), rows)
 
 
 @app.command()

@@ -26,6 +26,17 @@ class UnknownKind(OmnistudyError):
         self.given = given
 
 
+class UnknownKindOrPage(OmnistudyError):
+    """A name that is neither a kind nor a page of its group."""
+
+    def __init__(self, group: str, given: str, allowed: Iterable[str]) -> None:
+        names = sorted(allowed)
+        super().__init__(
+            f"no kind and no page '{given}' in {group}: there are {', '.join(names)}"
+            f"{nearest(given, names)}"
+        )
+
+
 class BrokenKind(OmnistudyError):
     """A kind that is announced by an installed package but cannot be loaded."""
 

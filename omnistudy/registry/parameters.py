@@ -21,15 +21,17 @@ class Parameter(NamedTuple):
     """One number or word of a kind.
 
     name : dotted path, as `--set` takes it.
-    default : None when it must be given.
+    default : None too when it must be given.
     unit : "" for what has none.
     meaning : first sentence or sentences of its docstring.
+    required : whether it must be given.
     """
 
     name: str
     default: Any
     unit: str
     meaning: str
+    required: bool = False
 
 
 def parameters(kind_class: type[BaseModel]) -> tuple[Parameter, ...]:
@@ -49,18 +51,19 @@ def _parameters(model: type[BaseModel], prefix: str) -> Iterator[Parameter]:
             yield from _parameters(type(default), f"{prefix}{name}.")
         elif name != "kind":
             meaning = " ".join((field.description or "").split())
-            yield Parameter(prefix + name, default, unit_of(field), meaning)
+            yield Parameter(prefix + name, default, unit_of(field), meaning, field.is_required())
 
 
 def _alternatives(field: FieldInfo, default: KindModel, prefix: str) -> Iterator[Parameter]:
     """List which kind a field holds, and the parameters of the default's kind before others'."""
     models = sorted(models_in(field.annotation), key=lambda model: not isinstance(default, model))
     named = [str(model.model_fields["kind"].default) for model in models]
-    yield Parameter(f"{prefix}kind", default.kind, "", f"One of {', '.join(named)}.")
+    yield Parameter(f"{prefix}kind", default.kind, "", f"One of {', '.join(named)}.", False)
     for name, model in zip(named, models, strict=True):
         for row in _parameters(model, prefix):
-            meaning = row.meaning if name == default.kind else f"Of kind {name}. {row.meaning}"
-            yield row._replace(meaning=meaning)
+            chosen = name == default.kind
+            meaning = row.meaning if chosen else f"Of kind {name}. {row.meaning}"
+            yield row._replace(meaning=meaning, required=row.required and chosen)
 
 
 def _default(field: FieldInfo) -> Any:

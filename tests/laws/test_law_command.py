@@ -36,7 +36,7 @@ def test_laws_are_listed(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert run(monkeypatch, "list", "--json") == 0
-    rows = {row["kind"]: row for row in json.loads(capsys.readouterr().out)}
+    rows = {row["kind"]: row for row in json.loads(capsys.readouterr().out)["kinds"]}
     assert {"component", "none", "zero_torque"} <= set(rows)
     assert rows["component"]["package"] == "omnistudy"
     assert all(row["summary"].endswith(".") for row in rows.values())
