@@ -21,5 +21,9 @@ class LidarOnChassis(SensorOnChassis):
         )
 
     def scan(self, step: int, twist: PlanarTwist) -> Scan:
+        """Give what each ray meets; neither time nor motion matters."""
+        return self.look()
+
+    def look(self) -> Scan:
         """Give what each ray meets now."""
         return Scan(self._angles, np.array(self._rays.ranges()), self._far)

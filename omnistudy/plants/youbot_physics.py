@@ -25,4 +25,4 @@ class RunningYoubot(RunningMecanum):
 
     def scan(self) -> Scan:
         """Give a turn of the lidar from the present pose."""
-        return self._lidar.scan(0, self.state.twist)
+        return self._lidar.look()

@@ -25,7 +25,10 @@ BUILT_IN: Mapping[str, Mapping[str, str]] = {
         "direct": "omnistudy.controllers.direct:DirectController",
         "differential": "omnistudy.controllers.differential:DifferentialController",
     },
-    "plants": {"youbot": "omnistudy.plants.youbot:Youbot"},
+    "plants": {
+        "youbot": "omnistudy.plants.youbot:Youbot",
+        "nexus": "omnistudy.plants.nexus:Nexus",
+    },
     "devices": {
         "simulated_stick": "omnistudy.devices.simulated_stick:SimulatedStick",
         "direct": "omnistudy.devices.direct:DirectDevice",

@@ -7,6 +7,7 @@ protocol would be a second way to write the same thing.
 from omnistudy.units.quantity import (
     Hertz,
     Kilograms,
+    KilogramSquareMetres,
     Metres,
     MetresPerSecond,
     NewtonMetres,
@@ -25,6 +26,7 @@ from omnistudy.units.quantity import (
 
 __all__ = [
     "Hertz",
+    "KilogramSquareMetres",
     "Kilograms",
     "Metres",
     "MetresPerSecond",
