@@ -6,6 +6,7 @@ from math import cos, hypot, sin
 from typing import NamedTuple
 
 from omnistudy.plants.bullet import pybullet
+from omnistudy.plants.bullet_motion import MovingBodies, MovingBody
 from omnistudy.scene import Body, Box, Scene
 
 ROBOT, STATIC, DOOR = 1, 2, 4
@@ -25,18 +26,20 @@ class Marker(NamedTuple):
 
 
 class BulletScene(NamedTuple):
-    """Names of the PyBullet bodies by their unique number, and the bodies that stop nothing."""
+    """Names of the PyBullet bodies by their unique number; those that stop nothing, that move."""
 
     walls: dict[int, str]
     others: dict[int, str]
     markers: tuple[Marker, ...]
+    moving: MovingBodies
 
 
-def add_scene(scene: Scene, client: int) -> BulletScene:
-    """Create every body of the scene in a PyBullet client."""
+def add_scene(scene: Scene, client: int, physics_hz: int) -> BulletScene:
+    """Create every body of the scene in a PyBullet client; call `moving.step` before each step."""
     walls: dict[int, str] = {}
     others: dict[int, str] = {}
     markers: list[Marker] = []
+    moving: list[MovingBody] = []
     for body in scene.bodies:
         if body.role == "floor":
             continue
@@ -45,14 +48,22 @@ def add_scene(scene: Scene, client: int) -> BulletScene:
             markers.append(Marker(body.name, uid, body.x, body.y, _radius(body)))
         elif body.role == "wall":
             walls[uid] = body.name
+            if body.track:
+                moving.append(MovingBody(uid, body.track, body.z, _turned(body.yaw)))
         else:
             others[uid] = body.name
-    return BulletScene(walls, others, tuple(markers))
+    bodies = MovingBodies(tuple(moving), client, physics_hz)
+    return BulletScene(walls, others, tuple(markers), bodies)
 
 
 def _radius(body: Body) -> float:
     shape = body.geometry
     return 0.5 * hypot(shape.x, shape.y) if isinstance(shape, Box) else shape.radius
+
+
+def _turned(yaw: float) -> tuple[float, float, float, float]:
+    x, y, z, w = pybullet.getQuaternionFromEuler([0.0, 0.0, yaw])
+    return x, y, z, w
 
 
 def _shape(body: Body, client: int) -> int:
@@ -80,7 +91,7 @@ def _standing(body: Body, client: int) -> int:
         baseMass=0.0,
         baseCollisionShapeIndex=_shape(body, client),
         basePosition=[body.x, body.y, body.z],
-        baseOrientation=pybullet.getQuaternionFromEuler([0.0, 0.0, body.yaw]),
+        baseOrientation=_turned(body.yaw),
         physicsClientId=client,
     )
     mask = ROBOT if body.solid else 0
@@ -101,7 +112,7 @@ def _hinged(body: Body, client: int) -> int:
             body.y + s * hinge.x + c * hinge.y,
             body.z,
         ],
-        baseOrientation=pybullet.getQuaternionFromEuler([0.0, 0.0, body.yaw]),
+        baseOrientation=_turned(body.yaw),
         linkMasses=[body.mass],
         linkCollisionShapeIndices=[_shape(body, client)],
         linkVisualShapeIndices=[-1],

@@ -34,7 +34,7 @@ class RunningMecanum(RunningPlant):
     A subclass says how commands become wheel speeds, and calls `drive` with them.
     """
 
-    channels = (
+    channels: tuple[Channel, ...] = (
         Channel("x", "m", "robot's position in the world"),
         Channel("y", "m", "robot's position in the world"),
         Channel("theta", "rad", "robot's heading, counter-clockwise, not wrapped"),
@@ -56,7 +56,7 @@ class RunningMecanum(RunningPlant):
             deterministicOverlappingPairs=1,
             physicsClientId=self._client,
         )
-        self._scene = add_scene(scene, self._client)
+        self._scene = add_scene(scene, self._client, physics_hz)
         self._robot = self._create(start)
         self._reach = base.circumradius
         self._forces = [base.drive_force, base.drive_force, base.drive_torque]
@@ -180,6 +180,7 @@ class RunningMecanum(RunningPlant):
     def step(self) -> None:
         """Let PyBullet step once and look at the joints and contacts."""
         client = self._client
+        self._scene.moving.step(self._robot)
         pybullet.stepSimulation(physicsClientId=client)
         (x, wx, _, _), (y, wy, _, _), (theta, omega, _, _) = pybullet.getJointStates(
             self._robot, JOINTS, physicsClientId=client
