@@ -19,6 +19,9 @@ BUILT_IN: Mapping[str, Mapping[str, str]] = {
         "quadrant": "omnistudy.laws.quadrant:QuadrantLaw",
         "quadrant_smoothed": "omnistudy.laws.quadrant_smoothed:QuadrantSmoothedLaw",
         "infrared": "omnistudy.laws.infrared:InfraredLaw",
+        "impedance_urbano": "omnistudy.laws.impedance_urbano:ImpedanceUrbanoLaw",
+        "impedance_kondo": "omnistudy.laws.impedance_kondo:ImpedanceKondoLaw",
+        "sector_sum": "omnistudy.laws.sector_sum:SectorSumLaw",
     },
     "controllers": {
         "rate": "omnistudy.controllers.rate:RateController",

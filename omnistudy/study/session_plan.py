@@ -18,6 +18,7 @@ class SessionTrial:
     """One trial of a participant's plan.
 
     trial : its number in the study.
+    condition : None as long as an order that adapts has not chosen it.
     start_s, duration_s : expected, s from the opening of the session.
     """
 
@@ -25,7 +26,7 @@ class SessionTrial:
     visit: int
     position: int
     attempt: int
-    condition: str
+    condition: str | None
     repetition: int
     route: str
     status: str
