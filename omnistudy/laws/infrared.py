@@ -43,7 +43,7 @@ class InfraredLaw(WrenchLaw):
     boundary: AnyBoundary = RectangularBoundary(half_length=0.20, half_width=0.18)
     """Where the springs begin; by default round a Nexus robot of 0.40 by 0.36 m."""
 
-    stiffness: Annotated[NewtonsPerMetre, Ge(0.0)] = 30.0
+    stiffness: Annotated[NewtonsPerMetre, Ge(0.0)] = 20.0
     """k of each sensor. Ours: a wall ahead, which four sensors see, gets 120 N/m."""
 
     damping: Annotated[NewtonSecondsPerMetre, Ge(0.0)] = 1.2

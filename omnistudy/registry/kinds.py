@@ -27,6 +27,7 @@ BUILT_IN: Mapping[str, Mapping[str, str]] = {
         "rate": "omnistudy.controllers.rate:RateController",
         "direct": "omnistudy.controllers.direct:DirectController",
         "differential": "omnistudy.controllers.differential:DifferentialController",
+        "power_assist": "omnistudy.controllers.power_assist:PowerAssistController",
     },
     "plants": {
         "youbot": "omnistudy.plants.youbot:Youbot",

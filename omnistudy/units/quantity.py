@@ -43,6 +43,12 @@ NewtonSecondsPerMetre = Annotated[
 NewtonMetresPerRadian = Annotated[
     float, _plain_number("N·m/rad"), AllowInfNan(False), _schema("N·m/rad")
 ]
+MetresPerSecondPerNewton = Annotated[
+    float, _plain_number("(m/s)/N"), AllowInfNan(False), _schema("(m/s)/N")
+]
+RadiansPerSecondPerNewtonMetre = Annotated[
+    float, _plain_number("(rad/s)/(N·m)"), AllowInfNan(False), _schema("(rad/s)/(N·m)")
+]
 NewtonMetreSeconds = Annotated[float, _plain_number("N·m·s"), AllowInfNan(False), _schema("N·m·s")]
 TorqueStiffness = Annotated[float, _plain_number("N·m/m²"), AllowInfNan(False), _schema("N·m/m²")]
 Ratio = Annotated[float, _plain_number("1"), AllowInfNan(False), _schema("1")]
