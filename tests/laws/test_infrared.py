@@ -5,15 +5,21 @@ The oblique sensors look 3-4-5 here: sin t = 0.6 ahead and cos t = 0.8 aside, fr
 
 from __future__ import annotations
 
-from math import asin, cos, pi, sin
+from dataclasses import replace
+from math import asin, cos, exp, pi, sqrt
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from laws.straight_walls import scan_of
+from numpy.typing import NDArray
 
+from omnistudy.controllers.rate import RateController
+from omnistudy.devices import DeviceState, Hand
+from omnistudy.devices.simulated_stick import SimulatedStick
 from omnistudy.geometry import PlanarTwist, Scan
+from omnistudy.laws import Sensed
 from omnistudy.laws.boundary import RectangularBoundary
 from omnistudy.laws.infrared import WIDEST_MISS, InfraredLaw
 
@@ -156,21 +162,68 @@ def test_a_ray_too_far_off_is_not_taken_for_a_sensor(share: float, felt: bool) -
     assert (LAW.wrench(scan, STILL).fy > 0.0) == felt
 
 
-def test_the_default_numbers_before_a_wall() -> None:
-    """At 0.30 m ahead: sensors 3 and 4 of a lidar are 0.05 m inside 0.35 m: 2·30·0.05 = 3 N. The
-    oblique ones read 0.30·sqrt(2) = 0.424 m, just at 0.30·sqrt(2) where the side's boundary is."""
-    fx, fy, tau = InfraredLaw().wrench(scan_of([(1.0, 0.0, 0.30)], 2.0), STILL)
-    assert fx == pytest.approx(-3.0, abs=1e-6)
-    assert (fy, tau) == pytest.approx((0.0, 0.0), abs=1e-9)
+def test_the_default_robot_before_a_wall() -> None:
+    """The wall 0.05 m before the front edge. Sensors 3 and 4 are 0.15 - 0.05 = 0.10 m deep, 2 and 5
+    sqrt(2) times that, of which 1/sqrt(2) pushes back: 20·(0.1 + 0.1 + 0.1 + 0.1) = 8 N."""
+    fx, fy, tau = InfraredLaw().wrench(ring(ahead=0.05), STILL)
+    assert fx == pytest.approx(-8.0)
+    assert (fy, tau) == pytest.approx((0.0, 0.0), abs=1e-12)
 
 
-def test_an_oblique_sensor_out_of_line_with_the_centre_turns() -> None:
-    """By default t = 45 degrees from (0.20, 0.10): an arm of 0.1·sin 45 = 0.0707 m. At 0.312 m
-    the oblique ray is 0.1 m deep from the side's 0.30·sqrt(2) - 0.1·sqrt(2) (0.2828) m... worked
-    with origins: (0.35 - 0.20)·sqrt(2) = 0.2121 m ahead is nearer."""
-    quarter = pi / 4
-    scan = Scan(np.array([quarter]), np.array([0.15 * 2**0.5 - 0.1]), 0.8, np.array([[0.20, 0.10]]))
-    push = 30.0 * 0.1
-    assert InfraredLaw().wrench(scan, STILL) == pytest.approx(
-        (-push * sin(quarter), -push * cos(quarter), -push * 0.1 * sin(quarter))
+def test_the_default_robot_beside_a_wall_turns_away_from_it() -> None:
+    """The wall 0.02 m beside the left edge, 0.20 m from the middle line. Sensor 1 is 0.10 m deep.
+    Sensor 2 is 0.10·sqrt(2) m from the wall and (0.35 - 0.20)·sqrt(2) m from the boundary ahead of
+    it: 0.05·sqrt(2) m deep, 20·0.05 = 1 N back and 1 N right on an arm of 0.20 - 0.10 m."""
+    wrench = InfraredLaw().wrench(ring(left=0.02), STILL)
+    assert wrench == pytest.approx((-1.0, -20 * 0.1 - 1.0, -1.0 * 0.1))
+
+
+def ring(ahead: float = 9.0, left: float = 9.0, speed: float = 0.0, seen: float = 0.8) -> Scan:
+    """What six sensors of a robot of 0.40 by 0.36 m see of walls so far from its edges, in m.
+
+    speed : m/s ahead, told as rates the way wheel encoders do, as if all stood square to the rays.
+    """
+    oblique = min(ahead, left + 0.08) * sqrt(2)
+    slanted = speed / sqrt(2)
+    return Scan(
+        np.array([pi / 2, pi / 4, 0.0, 0.0, -pi / 4, -pi / 2]),
+        np.minimum([left, oblique, ahead, ahead, ahead * sqrt(2), 9.0], seen),
+        seen,
+        np.array([[0, 0.18], [0.2, 0.1], [0.2, 0.05], [0.2, -0.05], [0.2, -0.1], [0, -0.18]]),
+        np.array([0.0, -slanted, -speed, -speed, -slanted, 0.0]),
     )
+
+
+@pytest.mark.parametrize("push", [2.5, 4.0, 6.0])
+def test_a_stick_pushed_against_a_wall_comes_to_rest(push: float) -> None:
+    """50 Hz, an 8 Hz low-pass, wheels that lag by 80 ms: within a millimetre after ten seconds."""
+    gaps = driven_at_a_wall(InfraredLaw(), push)
+    assert gaps.min() > 0.02
+    assert np.ptp(gaps[-480:]) < 0.001
+
+
+def test_five_times_as_stiff_shakes() -> None:
+    assert np.ptp(driven_at_a_wall(InfraredLaw(stiffness=100.0), 4.0)[-480:]) > 0.02
+
+
+def driven_at_a_wall(law: InfraredLaw, push: float) -> NDArray[np.float64]:
+    """Push the published stick steadily ahead, in N, in a hand that adds nothing; give the gaps."""
+    stick, controller = SimulatedStick().connect(240), RateController()
+    hand = Hand((push / 0.1, 0.0, 0.0), (0.1, 0.1, 0.1), (0.0,) * 3, (0.0,) * 3)
+    device, twist = DeviceState((0.0,) * 3, (0.0,) * 3), STILL
+    gap, speed, gaps = 0.3, 0.0, []
+    seen = ring(ahead=gap).ranges
+    for step in range(12 * 240):
+        if step * 50 // 240 != (step - 1) * 50 // 240:
+            now = ring(gap, speed=speed)
+            seen = now.ranges + exp(-2 * pi * 8 / 50) * (seen - now.ranges)
+            sensed = Sensed(
+                replace(now, ranges=seen), twist, controller.twist_per_stick, device.position[:3]
+            )
+            stick.render(law.field(sensed))
+        device = stick.advance(hand)
+        twist = controller.intent(device.position)
+        speed += (1 - exp(-1 / 240 / 0.08)) * (twist.vx - speed)
+        gap -= speed / 240
+        gaps.append(gap)
+    return np.array(gaps)
