@@ -35,6 +35,7 @@ class Noun(NamedTuple):
 
 NOUNS = {
     "demo": Noun("The published study with virtual participants.", True),
+    "new": Noun("Start a law, controller, world, protocol or survey of your own."),
     "protocol": Noun("Protocols: what is to be run."),
     "study": Noun("Studies: who runs a protocol, in a database."),
     "participant": Noun("Participants of a study."),

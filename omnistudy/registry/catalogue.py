@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import yaml
 
 from omnistudy.errors import UnknownKind
-from omnistudy.errors.registry import UnknownKindOrPage
+from omnistudy.errors.registry import PageOfUnknownKind, UnknownKindOrPage
 from omnistudy.registry.conf import conf_roots
 from omnistudy.registry.kinds import kinds, load_kind
 
@@ -78,7 +78,7 @@ def names(group: str, lab: Path | None = None) -> tuple[str, ...]:
 def find(group: str, name: str, lab: Path | None = None) -> Found:
     """Give what a name stands for: a page and its kind, else a kind alone.
 
-    Raises UnknownKindOrPage with the nearest name, UnknownKind, or BrokenKind.
+    Raises UnknownKindOrPage with the nearest name, PageOfUnknownKind, or BrokenKind.
     """
     page = next((page for page in pages(group, lab) if page.name == name), None)
     kind = (page.kind if page else None) or name
@@ -86,7 +86,7 @@ def find(group: str, name: str, lab: Path | None = None) -> Found:
         return Found(entry(group, kind), page)
     except UnknownKind as fault:
         if page is not None and page.kind is not None:
-            raise
+            raise PageOfUnknownKind(page.file, page.kind, group, kinds(group)) from fault
         raise UnknownKindOrPage(group, name, names(group, lab)) from fault
 
 
