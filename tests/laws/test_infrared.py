@@ -217,10 +217,14 @@ def driven_at_a_wall(law: InfraredLaw, push: float) -> NDArray[np.float64]:
         if step * 50 // 240 != (step - 1) * 50 // 240:
             now = ring(gap, speed=speed)
             seen = now.ranges + exp(-2 * pi * 8 / 50) * (seen - now.ranges)
-            sensed = Sensed(
-                replace(now, ranges=seen), twist, controller.twist_per_stick, device.position[:3]
+            x, y, theta = device.position
+            stick.render(
+                law.field(
+                    Sensed(
+                        replace(now, ranges=seen), twist, controller.twist_per_stick, (x, y, theta)
+                    )
+                )
             )
-            stick.render(law.field(sensed))
         device = stick.advance(hand)
         twist = controller.intent(device.position)
         speed += (1 - exp(-1 / 240 / 0.08)) * (twist.vx - speed)
