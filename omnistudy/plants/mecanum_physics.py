@@ -132,7 +132,7 @@ class RunningMecanum(RunningPlant):
 
     def _refuse_overlap(self, start: PlanarPose) -> None:
         inside = tuple(
-            sorted(name for uid, name in self._scene.walls.items() if self._gap(uid) <= 0.0)
+            sorted({name for uid, name in self._scene.walls.items() if self._gap(uid) <= 0.0})
         )
         if inside:
             self.close()

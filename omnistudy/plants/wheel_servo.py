@@ -74,12 +74,11 @@ class TurningWheels:
         """Move on a wheel's position error in rad, the error's integral in rad·s, and its speed."""
         dt, gain, reset, rate_gain, limit, mobility, decay, glide = self._numbers
         behind, summed, speed = wheel
-        behind += wanted * dt
         torque = gain * (behind + reset * summed) + rate_gain * (wanted - speed)
         if -limit < torque < limit:
             summed += behind * dt
         else:
             torque = limit if torque > 0.0 else -limit
         final = torque * mobility
-        behind -= final * dt + (speed - final) * glide
+        behind += (wanted - final) * dt - (speed - final) * glide
         return behind, summed, final + (speed - final) * decay
