@@ -50,6 +50,7 @@ NOUNS = {
     "order": Noun("Orders: who meets which condition when."),
     "survey": Noun("Instruments: what people are asked."),
     "drive": Noun("Drive through worlds without a study: recordings, the virtual driver."),
+    "sweep": Noun("Many virtual studies that differ in a few settings."),
     "report": Noun("A study's report as one HTML file.", True),
 }
 """Noun -> its help; its verbs live in `omnistudy.cli.<noun>` as `app`."""

@@ -1,0 +1,249 @@
+"""From the words of the command line to a sweep: points, thinned trials, seeds."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from pydantic import ValidationError
+
+from omnistudy.errors.sweep import (
+    AdaptiveOrder,
+    BadSweepName,
+    HumanSweep,
+    KeyChangesNothing,
+    NothingToSearch,
+    NoTrialsOfConditions,
+    SearchNeedsSamples,
+    TooManyParticipants,
+)
+from omnistudy.protocol import FrozenProtocol, Protocol, freeze, plan
+from omnistudy.protocol.compose import compose_protocol
+from omnistudy.protocol.seeds import participant_seed, trial_seed
+from omnistudy.seeds import seed_text
+from omnistudy.session.sweep.effects import Composer, Effects, canonical_tree, changed
+from omnistudy.session.sweep.points import combinations, require_interval
+from omnistudy.session.sweep.question import Point, Search, Sweep, SweptTrial
+from omnistudy.session.sweep.variables import Asked, read_words
+from omnistudy.version import VERSION
+
+KINDS = ("main", "retention")
+"""Kinds of trials that answer the study's question; others are not driven."""
+
+FIRST_OCCUPANT = 1
+FIRST_ATTEMPT = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Thinning:
+    """How much of the protocol each point drives.
+
+    conditions : none means those that the swept design keys change (without a design key: any).
+    participants : the first so many; None for all. trials : the first so many of each.
+    """
+
+    conditions: tuple[str, ...] = ()
+    participants: int | None = None
+    trials: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Question:
+    """What is asked of a sweep.
+
+    words : KEY=VALUES as typed. nuisance, design : keys that change their role.
+    samples : of the design's intervals. nuisance_samples : of the nuisance's; None: as many.
+    objective : column to be made small by a search; None lists every point.
+    """
+
+    protocol: str
+    words: tuple[str, ...]
+    nuisance: tuple[str, ...] = ()
+    design: tuple[str, ...] = ()
+    samples: int | None = None
+    nuisance_samples: int | None = None
+    seed: str = "sweep"
+    thinning: Thinning = Thinning()
+    objective: str | None = None
+
+
+def plan_sweep(
+    question: Question, planned: Callable[[int, int], None] = lambda done, total: None
+) -> Sweep:
+    """Compose the base, read the words, list points and trials.
+
+    planned : told how many of how many points are planned.
+
+    Raises ProtocolFaults, UnknownCondition, and every mistake of `errors.sweep` that lies in what
+    was asked.
+    """
+    asked = read_words(question.words, question.nuisance, question.design)
+    base = compose_protocol(question.protocol, asked.overrides)
+    if base.participants.kind != "virtual":
+        raise HumanSweep(base.name)
+    frozen = freeze(base)
+    effects = Effects(Composer(question.protocol, asked.overrides), base, asked.swept)
+    conditions = _conditions(base, frozen, asked, effects, question.thinning.conditions)
+    return Sweep(
+        version=VERSION,
+        protocol=question.protocol,
+        overrides=asked.overrides,
+        design_hash=frozen.design_hash,
+        site_hash=frozen.site_hash,
+        base=canonical_tree(frozen),
+        variables=tuple(one.variable for one in asked.swept),
+        samples=question.samples,
+        nuisance_samples=question.nuisance_samples,
+        seed=question.seed,
+        conditions=conditions,
+        trials=_trials(base, frozen, conditions, question.thinning),
+        points=_points(question, asked, effects, canonical_tree(frozen), planned),
+        search=_search(question, asked),
+    )
+
+
+def sweep_name(sweep: Sweep, given: str | None) -> str:
+    """Give a sweep's name: the one given, else protocol and hash of what is asked.
+
+    Raises BadSweepName.
+    """
+    name = given
+    if name is None:
+        protocol = re.sub(r"[^A-Za-z0-9_-]", "_", str(sweep.base["name"]))
+        name = f"{protocol}_{seed_text(sweep.model_dump_json())[:8]}"
+    if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9_-]*", name):
+        raise BadSweepName(name)
+    return name
+
+
+def point_at(
+    values: Mapping[str, Any], effects: Effects, tree: Mapping[str, Any], composer: Composer
+) -> Point:
+    """Give a validated point without its numbers; raises ProtocolFaults."""
+    changes = effects.changes(values)
+    try:
+        changed(tree, changes)
+    except ValidationError:
+        composer.protocol(values)
+        raise
+    return Point(design=1, nuisance=1, values=tuple(values.values()), changes=changes)
+
+
+def _points(
+    question: Question,
+    asked: Asked,
+    effects: Effects,
+    tree: Mapping[str, Any],
+    planned: Callable[[int, int], None],
+) -> tuple[Point, ...]:
+    composer = Composer(question.protocol, asked.overrides)
+    nuisance_samples = question.nuisance_samples or question.samples
+    designs: tuple[dict[str, Any], ...] = ({},)
+    if question.objective is None:
+        require_interval(asked.swept, question.samples)
+        designs = combinations(asked.swept, "design", question.samples, question.seed)
+    nuisances = combinations(asked.swept, "nuisance", nuisance_samples, question.seed)
+    keys = [one.variable.key for one in asked.swept]
+    points = []
+    for design, chosen in enumerate(designs, start=1):
+        for nuisance, met in enumerate(nuisances, start=1):
+            both = {**chosen, **met}
+            values = {key: both[key] for key in keys if key in both}
+            point = point_at(values, effects, tree, composer)
+            points.append(point.model_copy(update={"design": design, "nuisance": nuisance}))
+            planned(len(points), len(designs) * len(nuisances))
+    return tuple(points)
+
+
+def _search(question: Question, asked: Asked) -> Search | None:
+    if question.objective is None:
+        return None
+    if question.samples is None:
+        raise SearchNeedsSamples
+    if not any(one.variable.role == "design" for one in asked.swept):
+        raise NothingToSearch
+    return Search(objective=question.objective, samples=question.samples)
+
+
+def _conditions(
+    base: Protocol,
+    frozen: FrozenProtocol,
+    asked: Asked,
+    effects: Effects,
+    given: Sequence[str],
+) -> tuple[str, ...]:
+    """Name the conditions to drive; every key must change one of them."""
+    names = [condition.name for condition in base.conditions]
+    for name in given:
+        base.condition(name)
+    touched = {
+        one.variable.key: _touched(base, frozen, one.variable.key, effects) for one in asked.swept
+    }
+    chosen = [name for name in names if name in given] if given else names
+    for key, conditions in touched.items():
+        if not set(chosen) & conditions:
+            raise KeyChangesNothing(key, chosen)
+    if given:
+        return tuple(chosen)
+    designs = [one.variable.key for one in asked.swept if one.variable.role == "design"]
+    by_keys = set().union(*(touched[key] for key in designs or touched))
+    return tuple(name for name in names if name in by_keys)
+
+
+def _touched(base: Protocol, frozen: FrozenProtocol, key: str, effects: Effects) -> set[str]:
+    """Name the conditions whose set-up a key changes."""
+    tree = canonical_tree(frozen)
+    protocols = [changed(tree, changes) for changes in effects.ends(key)]
+    return {
+        condition.name
+        for condition in base.conditions
+        for protocol in protocols
+        if protocol.setup_for(condition.name) != base.setup_for(condition.name)
+    }
+
+
+def _trials(
+    base: Protocol, frozen: FrozenProtocol, conditions: Sequence[str], thinning: Thinning
+) -> tuple[SweptTrial, ...]:
+    """Take the base protocol's own plan and seeds, thinned: every point meets the same."""
+    people = base.participants
+    count = thinning.participants or people.count
+    if count > people.count:
+        raise TooManyParticipants(count, people.count)
+    trials = []
+    for slot in range(count):
+        person = participant_seed(people.participant_key, slot, FIRST_OCCUPANT)
+        for trial in list(_met(base, slot, conditions))[: thinning.trials]:
+            seed = trial_seed(
+                frozen.design_hash,
+                people.study_key,
+                slot,
+                FIRST_OCCUPANT,
+                trial.position,
+                FIRST_ATTEMPT,
+            )
+            trials.append(
+                SweptTrial(
+                    participant=f"P{slot + 1:02d}",
+                    participant_seed=person,
+                    position=trial.position,
+                    kind=trial.kind,
+                    condition=str(trial.condition),
+                    repetition=trial.repetition,
+                    route=trial.route,
+                    seed=seed,
+                )
+            )
+    if not trials:
+        raise NoTrialsOfConditions(conditions, count)
+    return tuple(trials)
+
+
+def _met(base: Protocol, slot: int, conditions: Sequence[str]) -> Iterable[Any]:
+    """Give a slot's trials that are to be driven; raises AdaptiveOrder."""
+    planned = plan(base, slot)
+    if any(trial.condition is None for trial in planned):
+        raise AdaptiveOrder(base.name)
+    return (one for one in planned if one.kind in KINDS and one.condition in conditions)
