@@ -6,8 +6,13 @@ lies 0.44 m ahead and 0.31 m aside.
 
 from __future__ import annotations
 
+from math import sin
+
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from laws.any_scene import reach, scans
 from laws.straight_walls import few_rays, scan_of
 
 from omnistudy.geometry import PlanarTwist, Scan
@@ -42,6 +47,22 @@ def test_what_is_ahead_on_the_left_pushes_right_and_turns_clockwise(
     assert wrench.fx == pytest.approx(-37.5 * (4 + 4 / 3) / 2 * NEWTONS)
     assert wrench.fy == pytest.approx(-24 * 1 / 2 * NEWTONS)
     assert wrench.tau == pytest.approx(-315 * 1 * arm / 2 * NEWTON_METRES, abs=1e-12)
+
+
+@given(scan=scans(), centre=st.floats(-0.3, 0.3))
+def test_a_centre_ahead_adds_its_arm_times_the_sideways_mean(scan: Scan, centre: float) -> None:
+    """tau(c) - tau(0) = ktheta·c·mean(py): moving ahead, what lies left turns less clockwise."""
+    moved = ComponentLaw(compliance_centre=centre).wrench(scan, STILL)
+    middle = ComponentLaw().wrench(scan, STILL)
+    sideways = [
+        (reach(angle) - distance) * sin(angle)
+        for angle, distance in zip(scan.angles, scan.ranges, strict=True)
+        if distance < reach(angle) and distance < scan.max_range
+    ]
+    mean = sum(sideways) / len(sideways) if sideways else 0.0
+    stiffness = 315 * 100 * NEWTON_METRES
+    assert moved.tau - middle.tau == pytest.approx(stiffness * centre * mean, abs=1e-8)
+    assert (moved.fx, moved.fy) == (middle.fx, middle.fy)
 
 
 def test_a_wall_on_the_left_pushes_right() -> None:
