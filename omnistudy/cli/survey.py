@@ -62,7 +62,7 @@ def show(
         (
             number,
             item.name,
-            item.text,
+            item.question,
             item.answers,
             ", ".join(item.conditions) or None,
             item.required,
@@ -70,5 +70,5 @@ def show(
         )
         for number, item in enumerate(shown.items, 1)
     ]
-    columns = ("no.", "item", "text", "answers", "asks about", "required", "source")
+    columns = ("no.", "item", "question", "answers", "asks about", "required", "source")
     print_table("Items", columns, rows)

@@ -20,8 +20,8 @@ class Question(KindModel, ABC):
 
     name: Name
     """Column of the answer; differs from item to item."""
-    text: Words
-    """The question as it is asked."""
+    question: Words
+    """As it is asked."""
     conditions: tuple[Name, ...] = ()
     """Conditions of the protocol that it asks about; empty for the whole session."""
     required: bool = True
