@@ -63,6 +63,12 @@ class Boundary(KindModel, ABC):
         return Penetrations(rays, reach[rays] - distance, distance, origins)
 
 
+def boundary_of(law: object) -> Boundary | None:
+    """Give the boundary of a law, or None for a law without one."""
+    boundary = getattr(law, "boundary", None)
+    return boundary if isinstance(boundary, Boundary) else None
+
+
 @lru_cache(maxsize=64)
 def _limits(
     boundary: Boundary, angles: bytes, starts: bytes | None, max_range: float

@@ -7,10 +7,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from omnistudy.geometry import ZERO_MATRIX, PlanarPose, PlanarTwist
-from omnistudy.laws.law import Law, Sensed
-from omnistudy.laws.probe import Probe, probe
+from omnistudy.geometry import PlanarPose
+from omnistudy.laws.law import Law
+from omnistudy.laws.probe import Probe
 from omnistudy.laws.robot_drawing import CLOCKWISE, COUNTER_CLOCKWISE, INK, ROBOT, draw_robot
+from omnistudy.laws.shown import shown, stick_shown
 from omnistudy.laws.standard_scenes import STANDARD_SCENES, VIEW, StandardScene
 from omnistudy.pictures import picture
 
@@ -28,7 +29,7 @@ NEWTONS_PER_METRE_DRAWN = 60.0
 
 @dataclass(frozen=True, slots=True)
 class Asked:
-    """A place of the robot and what the law gives there, standing still."""
+    """A place of the robot and what the law gives there, the stick held as the title says."""
 
     pose: PlanarPose
     found: Probe
@@ -49,7 +50,8 @@ def draw_field(law: Law, path: Path, replace: bool = False) -> None:
         panels = figure.subplots(2, 2).flat
         for axes, scene, asked in zip(panels, STANDARD_SCENES, answers, strict=True):
             arrows = _draw_scene(axes, law, scene, asked, shade)
-        figure.suptitle(f"law '{law.kind}': what the hand feels where the robot stands", color=INK)
+        title = f"law '{law.kind}': what the hand feels where the robot stands{stick_shown(law)}"
+        figure.suptitle(title, color=INK)
         axes.quiverkey(arrows, 0.84, 0.03, 10.0, "10 N", labelpos="E", color=INK)
         bar = figure.colorbar(arrows, ax=figure.axes, shrink=0.75, aspect=30)
         bar.set_label("torque in N·m: purple turns counter-clockwise, red clockwise")
@@ -59,7 +61,7 @@ def _ask(law: Law, scene: StandardScene) -> Iterator[Asked]:
     """Ask the law wherever the robot fits."""
     for pose, scan in scene.scans(GRID_STEP):
         if ROBOT.penetrations(scan) is None:
-            yield Asked(pose, probe(law, Sensed(scan, PlanarTwist(0.0, 0.0, 0.0), ZERO_MATRIX)))
+            yield Asked(pose, shown(law, scan))
 
 
 def _draw_scene(

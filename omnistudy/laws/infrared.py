@@ -44,8 +44,8 @@ class InfraredLaw(WrenchLaw):
     """Where the springs begin; by default round a Nexus robot of 0.40 by 0.36 m."""
 
     stiffness: Annotated[NewtonsPerMetre, Ge(0.0)] = 20.0
-    """k of each sensor. Ours: 80 N/m from a wall ahead, which four sensors see; the published stick,
-    pushed against it with nothing else to hold it, comes to rest. At 50 it shakes."""
+    """k of each sensor. Ours: 80 N/m from a wall ahead, which four sensors see, against which the
+    published stick, pushed by a steady force and nothing else, comes to rest. At 50 it shakes."""
 
     damping: Annotated[NewtonSecondsPerMetre, Ge(0.0)] = 1.2
     """d of each sensor. Ours, the larger the more the stick is slowed in front of a wall."""

@@ -7,6 +7,7 @@ from math import isfinite
 
 from omnistudy.errors.laws import NoForce
 from omnistudy.geometry import ForceField, Matrix3, PlanarWrench, Scan, Vector3
+from omnistudy.laws.boundary import boundary_of
 from omnistudy.laws.law import Law, Sensed
 from omnistudy.laws.springs import SpringLaw
 
@@ -51,9 +52,10 @@ def probe(law: Law, sensed: Sensed) -> Probe:
 
 
 def _touching(law: Law, scan: Scan) -> int | None:
-    if not isinstance(law, SpringLaw):
+    boundary = boundary_of(law)
+    if boundary is None:
         return None
-    touching = law.touching(scan)
+    touching = law.touching(scan) if isinstance(law, SpringLaw) else boundary.penetrations(scan)
     return 0 if touching is None else touching.rays.size
 
 

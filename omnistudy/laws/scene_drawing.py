@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from omnistudy.geometry import ZERO_MATRIX, PlanarPose, PlanarTwist, Scan
-from omnistudy.laws.law import Law, Sensed
-from omnistudy.laws.probe import Probe, probe
+from omnistudy.geometry import PlanarPose, Scan
+from omnistudy.laws.law import Law
+from omnistudy.laws.probe import Probe
 from omnistudy.laws.robot_drawing import CLOCKWISE, COUNTER_CLOCKWISE, INK, draw_robot
+from omnistudy.laws.shown import shown, stick_shown
 from omnistudy.laws.springs import SpringLaw
 from omnistudy.pictures import picture
 
@@ -40,17 +41,17 @@ SHOWN_AROUND = 0.75
 
 
 def draw_scene(law: Law, scan: Scan, path: Path, replace: bool = False) -> None:
-    """Draw what the scan saw, the springs inside the boundary, and force and torque at rest.
+    """Draw what the scan saw, the springs inside the boundary, and force and torque.
 
     Raises UnknownPictureFormat, PictureExists or NoForce.
     """
     with picture(path, replace) as figure:
-        found = probe(law, Sensed(scan, PlanarTwist(0.0, 0.0, 0.0), ZERO_MATRIX))
+        found = shown(law, scan)
         figure.set_size_inches(6.0, 6.0)
         axes = figure.subplots()
         axes.set(xlim=(-SHOWN_AROUND, SHOWN_AROUND), ylim=(-SHOWN_AROUND, SHOWN_AROUND))
         axes.set(aspect="equal", xlabel="x in m, ahead", ylabel="y in m, left")
-        axes.set_title(_title(found), color=INK, fontsize=10.0)
+        axes.set_title(_title(found, stick_shown(law)), color=INK, fontsize=10.0)
         draw_robot(axes, law, PlanarPose(0.0, 0.0, 0.0))
         _draw_seen(axes, scan)
         if isinstance(law, SpringLaw):
@@ -61,10 +62,10 @@ def draw_scene(law: Law, scan: Scan, path: Path, replace: bool = False) -> None:
             axes.legend(loc="lower left", fontsize=8.0, frameon=False)
 
 
-def _title(found: Probe) -> str:
+def _title(found: Probe, stick: str) -> str:
     wrench = f"Fx {found.fx:+.2f} N, Fy {found.fy:+.2f} N, torque {found.tau:+.2f} N·m"
     rays = "" if found.n is None else f": {found.n} rays touch the boundary"
-    return f"law '{found.kind}'{rays}\n{wrench}"
+    return f"law '{found.kind}'{rays}{stick}\n{wrench}"
 
 
 def _draw_seen(axes: Axes, scan: Scan) -> None:
