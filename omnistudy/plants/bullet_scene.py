@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import cos, hypot, sin
 from typing import NamedTuple
 
@@ -13,6 +14,8 @@ ROBOT, STATIC, DOOR = 1, 2, 4
 """Collision groups: robots meet walls and doors; doors meet only robots; walls only robots."""
 UPRIGHT = (0.0, 0.0, 0.0, 1.0)
 DOOR_LINK = 0
+BOXES_IN_ONE = 16
+"""Boxes of one map that are joined to one PyBullet body: a step costs time for every body."""
 
 
 class Marker(NamedTuple):
@@ -40,8 +43,12 @@ def add_scene(scene: Scene, client: int, physics_hz: int) -> BulletScene:
     others: dict[int, str] = {}
     markers: list[Marker] = []
     moving: list[MovingBody] = []
+    parts: dict[str, list[Body]] = {}
     for body in scene.bodies:
         if body.role == "floor":
+            continue
+        if body.part_of:
+            parts.setdefault(body.part_of, []).append(body)
             continue
         uid = _hinged(body, client) if body.hinge else _standing(body, client)
         if not body.solid:
@@ -52,6 +59,9 @@ def add_scene(scene: Scene, client: int, physics_hz: int) -> BulletScene:
                 moving.append(MovingBody(uid, body.track, body.z, _turned(body.yaw)))
         else:
             others[uid] = body.name
+    for name, boxes in parts.items():
+        for first in range(0, len(boxes), BOXES_IN_ONE):
+            walls[_joined(boxes[first : first + BOXES_IN_ONE], client)] = name
     bodies = MovingBodies(tuple(moving), client, physics_hz)
     return BulletScene(walls, others, tuple(markers), bodies)
 
@@ -84,6 +94,21 @@ def _shape(body: Body, client: int) -> int:
             physicsClientId=client,
         )
     )
+
+
+def _joined(boxes: Sequence[Body], client: int) -> int:
+    """Make one body of several; their shapes are what takes part in it."""
+    halves = [[0.5 * s.x, 0.5 * s.y, 0.5 * s.z] for b in boxes if isinstance(s := b.geometry, Box)]
+    shape = pybullet.createCollisionShapeArray(
+        shapeTypes=[pybullet.GEOM_BOX] * len(boxes),
+        halfExtents=halves,
+        collisionFramePositions=[[body.x, body.y, body.z] for body in boxes],
+        collisionFrameOrientations=[_turned(body.yaw) for body in boxes],
+        physicsClientId=client,
+    )
+    uid = pybullet.createMultiBody(0.0, shape, physicsClientId=client)
+    pybullet.setCollisionFilterGroupMask(uid, -1, STATIC, ROBOT, physicsClientId=client)
+    return int(uid)
 
 
 def _standing(body: Body, client: int) -> int:

@@ -75,6 +75,8 @@ class Body(Model):
     hinge: Hinge | None = None
     mass: Annotated[Kilograms, Field(ge=0)] = 0.0
     """Zero stands still; a body with a hinge needs a mass."""
+    part_of: str = ""
+    """Of what it is a part that is touched as one, such as a map of many boxes."""
     motion: Motion | None = None
     """A scripted path; (x, y) is where it begins. Nothing stops or pushes such a body."""
 
@@ -98,6 +100,14 @@ class Body(Model):
                 "a timetable that repeats must end at the body's own place "
                 f"({self.x:g}, {self.y:g}): bodies do not jump"
             )
+        return self
+
+    @model_validator(mode="after")
+    def _part_stands(self) -> Self:
+        moves = self.hinge is not None or self.motion is not None
+        box = isinstance(self.geometry, Box)
+        if self.part_of and (moves or not box or self.role != "wall" or not self.solid):
+            raise ValueError("a part must be a box, a wall, solid, and stand still")
         return self
 
     @property

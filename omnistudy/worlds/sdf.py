@@ -10,15 +10,15 @@ from xml.etree import ElementTree
 
 from pydantic import ValidationError
 
-from omnistudy.errors.worlds import BrokenSdf, NoWay
+from omnistudy.errors.worlds import BrokenSdf
 from omnistudy.geometry import PlanarPose
 from omnistudy.scene import Body, Box, Cylinder
-from omnistudy.worlds.route import Leg, Point, Route
+from omnistudy.worlds.goal import goal_block, way_to
+from omnistudy.worlds.route import Point
 from omnistudy.worlds.world import Start, World
 
 TILT = 1e-3
 """rad of roll or pitch up to which a body counts as upright."""
-GOAL = Box(x=0.15, y=0.15, z=0.1)
 
 
 class Imported(NamedTuple):
@@ -47,44 +47,25 @@ def import_sdf(
     path : points in m between start and goal; none is a straight way. The `<state>` of a saved
     world is left alone. Raises BrokenSdf, which says what is wrong where, or NoWay.
     """
-    way = _way(start, path, goal)
+    route = way_to(start, path, goal)
     world = _world(file)
     left_out = _included(world)
     bodies = [
         body for model in world.findall("model") for body in _model(file, model, FLOOR, left_out)
     ]
-    finish = Body(
-        name="goal",
-        role="finish",
-        geometry=GOAL,
-        x=goal[0],
-        y=goal[1],
-        z=GOAL.z / 2,
-        colour="#2f6fd0",
-        solid=False,
-    )
     title = f"{name or file.stem}, imported from {file.name}"
     try:
         made = World(
             name=name or file.stem,
             title=title,
             start=Start(x=start.x, y=start.y, theta=start.theta),
-            bodies=(*bodies, finish),
-            routes=(Route(name="reference", legs=(Leg(target="goal", path=way),)),),
+            bodies=(*bodies, goal_block(goal)),
+            routes=(route,),
         )
     except ValidationError as fault:
         message = str(fault.errors()[0]["msg"]).removeprefix("Value error, ")
         raise BrokenSdf(file, message) from fault
     return Imported(made, tuple(left_out))
-
-
-def _way(start: PlanarPose, path: Sequence[Point], goal: Point) -> tuple[Point, ...]:
-    """Join start, path and goal, points that repeat left out; raises NoWay."""
-    points = [(start.x, start.y), *path, goal]
-    way = [point for i, point in enumerate(points) if i == 0 or point != points[i - 1]]
-    if len(way) < 2 or not all(isfinite(number) for number in (*start, *goal)):
-        raise NoWay(start, goal)
-    return tuple(way)
 
 
 def _world(file: Path) -> ElementTree.Element:
