@@ -8,11 +8,9 @@ from itertools import chain
 from typing import NamedTuple
 
 from omnistudy.errors import nearest
-from omnistudy.protocol.completion import PARTS
 from omnistudy.protocol.condition import Condition
 from omnistudy.protocol.design_checks import (
     course_faults,
-    factor_faults,
     place_faults,
     visit_faults,
 )
@@ -152,7 +150,6 @@ def _sound_conditions(protocol: Protocol) -> tuple[Condition, ...]:
 CHECKS = (
     Check(("conditions",), _labels),
     Check(("factors", "conditions"), _levels),
-    Check(("factors", "conditions", *PARTS), factor_faults),
     Check(("order", "visits", "factors", "conditions"), course_faults),
     Check(("visits",), visit_faults),
     Check(("participants", "factors", "conditions"), place_faults),

@@ -13,6 +13,7 @@ from omnistudy.errors import nearest
 from omnistudy.errors.protocol import ProtocolFaults, UnknownProtocol
 from omnistudy.protocol.checks import cross_faults, session_faults
 from omnistudy.protocol.completion import PARTS, Page, completed
+from omnistudy.protocol.design_checks import factor_faults
 from omnistudy.protocol.faults import explained
 from omnistudy.protocol.protocol import Protocol
 from omnistudy.registry.conf import conf_roots, protocol_roots
@@ -118,7 +119,10 @@ def read_protocol(tree: Mapping[str, Any], where: str) -> Protocol:
         faults = explained(error, Protocol, tree)
         faults += cross_faults(Protocol.model_construct(**parts), parts)
         raise ProtocolFaults(where, faults) from error
-    faults = cross_faults(protocol, Protocol.model_fields) or session_faults(protocol)
+    faults = cross_faults(protocol, Protocol.model_fields) or (
+        *factor_faults(protocol),
+        *session_faults(protocol),
+    )
     if faults:
         raise ProtocolFaults(where, faults)
     return protocol

@@ -170,15 +170,6 @@ class DesignWriter:
                 values = {"slot": slot, "stratum": stratum, "group_name": group, "row": row}
                 self.connection.execute(insert(AllocationRow).values(values))
 
-    def seat(self, participant_id: int, slot: int) -> None:
-        """Let a participant sit in a slot."""
-        with self.transaction():
-            self.connection.execute(
-                update(AllocationRow)
-                .where(AllocationRow.slot == slot)
-                .values(participant_id=participant_id)
-            )
-
     def add_conditions(self, conditions: Iterable[NewCondition]) -> None:
         """Add the conditions of the design with their levels."""
         with self.transaction():
@@ -195,9 +186,16 @@ class DesignWriter:
                         )
                     )
 
-    def add_participant(self, participant: NewParticipant) -> int:
-        """Add somebody who takes part; gives the id."""
-        return self._insert(ParticipantRow, asdict(participant))
+    def add_participant(self, participant: NewParticipant, slot: int) -> int:
+        """Add somebody who takes part, in a slot of the design; gives the id."""
+        with self.transaction():
+            participant_id = self._insert(ParticipantRow, asdict(participant))
+            self.connection.execute(
+                update(AllocationRow)
+                .where(AllocationRow.slot == slot)
+                .values(participant_id=participant_id)
+            )
+        return participant_id
 
     def add_session(self, participant_id: int, visit: int = 1) -> int:
         """Add a planned visit of a participant; gives the id."""

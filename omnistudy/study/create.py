@@ -90,9 +90,9 @@ def _enrol(
             group_name=allocation.group or None,
             sequence=str(allocation.row),
             seed=participant_seed(people.participant_key, slot, FIRST_OCCUPANT),
-        )
+        ),
+        slot,
     )
-    writer.seat(participant, slot)
     sessions = {
         visit: writer.add_session(participant, visit)
         for visit in range(1, len(protocol.course) + 1)
