@@ -9,7 +9,7 @@ import numpy as np
 from annotated_types import Ge, Len
 from numpy.typing import NDArray
 
-from omnistudy.geometry import PlanarTwist, PlanarWrench, Scan
+from omnistudy.geometry import ZERO_MATRIX, Matrix3, PlanarTwist, PlanarWrench, Scan
 from omnistudy.laws.boundary import AnyBoundary, CircularBoundary
 from omnistudy.laws.law import WrenchLaw
 from omnistudy.units import Metres, NewtonMetres, Positive
@@ -59,9 +59,13 @@ class SectorSumLaw(WrenchLaw):
         if inside is None:
             return PlanarWrench(0.0, 0.0, 0.0)
         x, y = scan.points()[inside.rays].T
-        distance = np.maximum(np.hypot(x, y), self.blind_distance)
-        seen = _COSINES * x + _SINES * y >= _LEAST_COSINE * np.hypot(x, y)
-        nearest = np.where(seen, distance, np.inf).min(axis=1)
+        distance = np.hypot(x, y)
+        seen = _COSINES * x + _SINES * y >= _LEAST_COSINE * distance
+        nearest = np.where(seen, np.maximum(distance, self.blind_distance), np.inf).min(axis=1)
         push = np.array(self.weights) / nearest
         fx, fy = push @ _COSINES, push @ _SINES
         return PlanarWrench(0.0 - fx.item(), 0.0 - fy.item(), 0.0)
+
+    def twist_gradient(self, scan: Scan, twist: PlanarTwist) -> Matrix3:
+        """Give zeros: there is no damper."""
+        return ZERO_MATRIX
