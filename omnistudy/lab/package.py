@@ -62,26 +62,37 @@ def with_entry_point(file: Path, text: str, group: str, name: str, target: str) 
     Raises UnusablePyproject when the name is taken there, or the file's form leaves no place.
     """
     table, line = f"omnistudy.{group}", f'{name} = "{target}"'
-    wanted = _parsed(file, text)
-    points = wanted["project"].setdefault("entry-points", {}).setdefault(table, {})
-    if name in points:
+    if name in _points(_parsed(file, text), table):
         raise UnusablePyproject(
             file, f"it announces '{name}' in {table} already", "choose another name"
         )
-    points[name] = target
-    end = "\r\n" if "\r\n" in text else "\n"
-    changed = _inserted(text, table, line, end)
-    try:
-        same = tomllib.loads(changed) == wanted
-    except tomllib.TOMLDecodeError:
-        same = False
-    if not same:
+    changed = _inserted(text, table, line, "\r\n" if "\r\n" in text else "\n")
+    if not _differ_in(text, changed, table, {name: target}):
         raise UnusablePyproject(
             file,
             "its entry points are not written as tables of their own",
             f'write them as [project.entry-points."{table}"] with lines such as {line}',
         )
     return changed
+
+
+def _differ_in(old: str, new: str, table: str, more: dict[str, str]) -> bool:
+    """Tell whether two texts say the same but for what one table has more."""
+    try:
+        before, after = tomllib.loads(old), tomllib.loads(new)
+    except tomllib.TOMLDecodeError:
+        return False
+    wanted = _points(before, table) | more
+    if _points(after, table) != wanted:
+        return False
+    before["project"].setdefault("entry-points", {})[table] = wanted
+    return before == after
+
+
+def _points(tree: dict[str, Any], table: str) -> dict[str, str]:
+    groups = tree["project"].get("entry-points")
+    points = groups.get(table) if isinstance(groups, dict) else None
+    return points if isinstance(points, dict) else {}
 
 
 def _inserted(text: str, table: str, line: str, end: str) -> str:
