@@ -82,8 +82,9 @@ class AssistLag(Model):
 
 
 class PowerAssistController(Controller):
-    """Power assist with avoidance (Ueno et al. 2011 after Tyagi 2017, sec. 1.5, eq. 1.6-1.7).
+    """A force on the handle asks for a velocity, and for less of it near obstacles.
 
+    The power assist of Ueno et al. 2011 after Tyagi 2017, sec. 1.5, eq. 1.6-1.7:
     v = k·K/(T·s + 1)·f for x, y and theta, each for itself. In x and y the gain is multiplied by
     k = 1 - (rmin/r)^((vmax - |v|·alpha)·beta): 0 where the gap r is rmin or less, 1 far off (that
     k multiplies is ours). r is how far the robot's outline may go on the straight way that the

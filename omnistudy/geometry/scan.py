@@ -28,7 +28,7 @@ class Scan:
     def points(self) -> NDArray[np.float64]:
         """Give where each ray ends, (n, 2) m, robot frame."""
         towards = np.stack((np.cos(self.angles), np.sin(self.angles)), axis=1)
-        along = self.ranges[:, np.newaxis] * towards
+        along: NDArray[np.float64] = self.ranges[:, np.newaxis] * towards
         return along if self.origins is None else self.origins + along
 
     def mirrored(self) -> Scan:

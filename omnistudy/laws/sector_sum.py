@@ -30,7 +30,7 @@ _LEAST_COSINE = cos(pi / SECTORS) - 1e-12
 
 
 class SectorSumLaw(WrenchLaw):
-    """Away from what each of 16 sensors sees, by one over its distance, summed; force only.
+    """Away from what each of 16 sensors sees, by one over its distance, summed.
 
     F = sum of alpha·(1/d)·e^(j(pi + theta)) (Fattouh et al. 2004 after Tyagi 2017, sec. 1.5,
     eq. 1.8-1.9). d is the distance from the robot's centre to the nearest obstacle that a sector
