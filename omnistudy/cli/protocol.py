@@ -60,7 +60,7 @@ def show(
     if json:
         print_line(freeze(composed).canonical_json)
     else:
-        _print_page(composed)
+        print_page(composed)
 
 
 @app.command()
@@ -133,7 +133,8 @@ def _print_balance(balance: Balance) -> None:
         print_line(f"not even at {people}: {loss}")
 
 
-def _print_page(protocol: Protocol) -> None:
+def print_page(protocol: Protocol) -> None:
+    """Print a whole protocol for people, every number resolved."""
     from textwrap import fill
 
     from omnistudy.protocol import freeze

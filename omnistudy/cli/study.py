@@ -99,6 +99,24 @@ def list_(json: AsJson = False) -> None:
 
 
 @app.command()
+def show(study: StudyArgument, json: AsJson = False) -> None:
+    """Print the protocol that a study was frozen with, every number resolved.
+
+    Example: omnistudy study show first
+    """
+    from omnistudy.cli.protocol import print_page
+    from omnistudy.store import open_study
+    from omnistudy.study import frozen_protocol, resolve_study
+
+    with open_study(resolve_study(study)) as opened:
+        record = opened.study
+    if json:
+        print_line(record.protocol_json)
+    else:
+        print_page(frozen_protocol(record))
+
+
+@app.command()
 def status(study: StudyArgument, json: AsJson = False) -> None:
     """Say how far a study is, participant by participant.
 
