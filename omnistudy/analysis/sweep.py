@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import ceil, nan, sqrt
+from math import ceil, sqrt
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -12,7 +12,8 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.stats import t as student
 
-from omnistudy.analysis.estimate import Interval
+from omnistudy.analysis.estimate import UNKNOWN, Interval
+from omnistudy.errors.sweep import NoCompletePoint, ObjectiveNotRecorded, UnknownOutcome
 from omnistudy.seeds import generator
 
 Statistic = Literal["mean", "worst_tenth"]
@@ -46,6 +47,7 @@ class DesignPoint:
     outcomes : mean over nuisance and participants by column of OUTCOMES, NaN where not recorded.
     mean, worst_tenth : of the column that ranks. behind : how far its mean (its worst tenth) is
         behind that of the best row, paired. tied : the two cannot be told apart.
+    timed_out : share of its trials that ran out of time; they count with what they had by then.
     in_front : no other row is at least as good in every outcome and better in one.
     """
 
@@ -56,6 +58,7 @@ class DesignPoint:
     worst_tenth: Spread
     behind: Spread
     tied: bool
+    timed_out: float
     in_front: bool
 
 
@@ -64,7 +67,7 @@ class Ranking:
     """A sweep's design points, the best first.
 
     by : column; order : statistic that sorts. left_out : rows that are not driven over all of the
-    nuisance yet. timed_out : trials out of time, which count with what they had by then.
+    nuisance yet.
     """
 
     by: str
@@ -75,7 +78,6 @@ class Ranking:
     participants: int
     nuisance_points: int
     trials: int
-    timed_out: int
     method: str
 
 
@@ -93,44 +95,64 @@ def rank(
     table : columns design, nuisance, participant, status, the keys and OUTCOMES.
     keys : design variables. nuisance_points : how many each design point has to meet.
     by : column of OUTCOMES that ranks.
+
+    Raises UnknownOutcome, NoCompletePoint, ObjectiveNotRecorded.
     """
+    if by not in OUTCOMES:
+        raise UnknownOutcome(by, list(OUTCOMES))
     complete, left_out = _complete(table, nuisance_points)
+    if complete.empty:
+        raise NoCompletePoint(nuisance_points)
     rows = tuple(int(row) for row in sorted(complete["design"].unique()))
-    ranked = cell_means(complete, rows, by)
-    weights = _drawn_groups(ranked.shape[2], seed)
-    best = int(np.argmin(_statistic(ranked, order)))
-    comparisons = max(len(rows) - 1, 1)
-    outcomes = {name: cell_means(complete, rows, name).mean(axis=(1, 2)) for name in OUTCOMES}
-    front = not_dominated(np.column_stack([*outcomes.values()]))
-    values = _values(complete, keys)
-    points = []
-    for place, row in enumerate(rows):
-        behind = _behind(ranked[place], ranked[best], weights, order, comparisons)
-        points.append(
-            DesignPoint(
-                row=row,
-                values=values[row],
-                outcomes={name: float(column[place]) for name, column in outcomes.items()},
-                mean=_spread(ranked[place], weights, "mean"),
-                worst_tenth=_spread(ranked[place], weights, "worst_tenth"),
-                behind=behind,
-                tied=place == best or not behind.interval.low > 0.0,
-                in_front=bool(front[place]),
-            )
-        )
-    points.sort(key=lambda point: (getattr(point, order).value, point.row))
+    cells = {name: cell_means(complete, rows, name) for name in OUTCOMES}
+    if not np.isfinite(cells[by]).all():
+        raise ObjectiveNotRecorded(by)
+    points = _points(complete, rows, keys, cells, cells[by], order, seed)
     return Ranking(
         by=by,
         order=order,
         keys=tuple(keys),
-        points=tuple(points),
+        points=tuple(sorted(points, key=lambda point: (getattr(point, order).value, point.row))),
         left_out=left_out,
-        participants=ranked.shape[2],
+        participants=cells[by].shape[2],
         nuisance_points=nuisance_points,
         trials=len(complete),
-        timed_out=int((complete["status"] == "timed_out").sum()),
-        method=_method(comparisons),
+        method=_method(len(rows) - 1),
     )
+
+
+def _points(
+    table: pd.DataFrame,
+    rows: Sequence[int],
+    keys: Sequence[str],
+    cells: dict[str, NDArray[np.float64]],
+    ranked: NDArray[np.float64],
+    order: Statistic,
+    seed: str,
+) -> list[DesignPoint]:
+    weights = _drawn_groups(ranked.shape[2], seed)
+    best = int(np.argmin(_statistic(ranked, order)))
+    means = {name: column.mean(axis=(1, 2)) for name, column in cells.items()}
+    front = not_dominated(np.column_stack([*means.values()]))
+    values = _values(table, keys)
+    late = table["status"].eq("timed_out").groupby(table["design"]).mean()
+    points = []
+    for place, row in enumerate(rows):
+        behind = _behind(ranked[place], ranked[best], weights, order, max(len(rows) - 1, 1))
+        points.append(
+            DesignPoint(
+                row=row,
+                values=values[row],
+                outcomes={name: float(column[place]) for name, column in means.items()},
+                mean=_spread(ranked[place], weights, "mean"),
+                worst_tenth=_spread(ranked[place], weights, "worst_tenth"),
+                behind=behind,
+                tied=place == best or not behind.interval.low > 0.0,
+                timed_out=float(late[row]),
+                in_front=bool(front[place]),
+            )
+        )
+    return points
 
 
 def cell_means(table: pd.DataFrame, rows: Sequence[int], column: str) -> NDArray[np.float64]:
@@ -230,7 +252,7 @@ def _with_interval(
     for, are not reached by any number of draws; for a mean this is Student's own interval.
     """
     if participants < 2:
-        return Spread(value, Interval(nan, nan))
+        return Spread(value, UNKNOWN)
     error = float(drawn.std()) * sqrt(participants / (participants - 1))
     tail = (1.0 - CONFIDENCE) / (2 * comparisons)
     reach = float(student.ppf(1.0 - tail, participants - 1)) * error

@@ -2,20 +2,30 @@
 
 from __future__ import annotations
 
+from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from typer.core import TyperGroup
 
-from omnistudy.cli.arguments import AsJson, ProtocolArgument
-from omnistudy.cli.output import print_json, print_line, print_table, progress
+from omnistudy.cli.arguments import AsJson, ProtocolArgument, Workers, protocol_names
+from omnistudy.cli.output import Advance, print_json, print_line, print_table, progress
+from omnistudy.cli.sweep_output import print_left, print_plan, print_ranking
 
 if TYPE_CHECKING:
+    import pandas as pd
+
+    from omnistudy.analysis.sweep import Ranking
     from omnistudy.session.sweep.folder import SweepFolder
+    from omnistudy.session.sweep.planning import Question, SweepPlan
     from omnistudy.session.sweep.question import Sweep
 
 RUN = "run"
+SHOWN = 20
+"""Rows that `show` prints unless `--all` asks for more."""
+PLANNED_AT_ONCE = 100
+"""Points that are planned without a word."""
 
 
 class SweepGroup(TyperGroup):
@@ -23,9 +33,15 @@ class SweepGroup(TyperGroup):
 
     def resolve_command(self, ctx: Any, args: list[str]) -> Any:
         """Give the verb, or `run` with all the words."""
-        if args and args[0] not in self.commands and not args[0].startswith("-"):
+        if args and args[0] not in self.commands:
             args = [RUN, *args]
         return super().resolve_command(ctx, args)
+
+    def shell_complete(self, ctx: Any, incomplete: str) -> Any:
+        """Complete protocols beside the verbs."""
+        found = super().shell_complete(ctx, incomplete)
+        names = [name for name in protocol_names() if name.startswith(incomplete)]
+        return [*found, *(type(found[0])(name) for name in names)] if found else found
 
 
 app = typer.Typer(
@@ -34,6 +50,8 @@ app = typer.Typer(
     help="""Many virtual studies that differ in a few settings.
 
     `omnistudy sweep PROTOCOL KEY=VALUES...` is short for `omnistudy sweep run PROTOCOL ...`.
+
+    Example: omnistudy sweep utah2017_component law.stiffness.x=100,200,400 --dry-run
     """,
 )
 
@@ -52,12 +70,29 @@ def known_launchers() -> list[str]:
     return list(LAUNCHERS)
 
 
+def known_outcomes() -> list[str]:
+    """Complete an outcome."""
+    from omnistudy.analysis.sweep import OUTCOMES
+
+    return list(OUTCOMES)
+
+
 SweepArgument = Annotated[
     str | None,
     typer.Argument(
         help="A sweep's name; not needed when there is only one.", autocompletion=known_sweeps
     ),
 ]
+By = Annotated[
+    str,
+    typer.Option(
+        help="Rank by collisions, duration_s or work_against_j.", autocompletion=known_outcomes
+    ),
+]
+Worst = Annotated[
+    bool, typer.Option("--worst", help="Rank by the worst tenth of the nuisance, not the mean.")
+]
+Force = Annotated[bool, typer.Option("--force", help="Replace files that exist.")]
 
 
 @app.command()
@@ -68,27 +103,28 @@ def run(
         typer.Argument(
             metavar="KEY=VALUES...",
             help="law.stiffness.x=100,200 is swept, as are range(100,300,50) and "
-            "interval(100,300); a key with one value holds for every point; "
-            "hydra.launcher.* goes to the launcher.",
+            "interval(100,300); a key with one value holds for every point; hydra.launcher.* is "
+            "for the launcher.",
         ),
     ],
     samples: Annotated[
-        int | None, typer.Option(min=1, help="Points drawn from the design's intervals.")
+        int | None,
+        typer.Option(min=1, help="Points drawn from the intervals, or tried by a search."),
     ] = None,
     nuisance_samples: Annotated[
         int | None,
-        typer.Option(min=1, help="Points drawn from the nuisance's; as many unless given."),
+        typer.Option(min=1, help="Points drawn from intervals of the nuisance; as many else."),
     ] = None,
     nuisance: Annotated[
-        list[str] | None, typer.Option(help="A swept key that one meets, not chooses.")
+        list[str] | None, typer.Option(help="A swept key that one meets and does not choose.")
     ] = None,
     design: Annotated[
         list[str] | None,
-        typer.Option(help="A swept key that one chooses; keys of operator are nuisance else."),
+        typer.Option(help="A swept key that one chooses; under operator keys are nuisance else."),
     ] = None,
     condition: Annotated[
         list[str] | None,
-        typer.Option(help="Drive these conditions; those that the design keys change else."),
+        typer.Option(help="Drive this condition; those that the design keys change else."),
     ] = None,
     participants: Annotated[
         int | None, typer.Option(min=1, help="Only the first so many participants.")
@@ -97,6 +133,13 @@ def run(
         int | None, typer.Option(min=1, help="Only the first so many trials of each.")
     ] = None,
     seed: Annotated[str, typer.Option(help="Text behind what is drawn from intervals.")] = "sweep",
+    search: Annotated[
+        str | None,
+        typer.Option(help="optuna: ask for design points one by one instead of crossing lists."),
+    ] = None,
+    objective: Annotated[
+        str, typer.Option(help="What a search makes small.", autocompletion=known_outcomes)
+    ] = "collisions",
     name: Annotated[
         str | None, typer.Option(help="Folder in studies/sweeps; made from what is asked else.")
     ] = None,
@@ -107,11 +150,9 @@ def run(
             autocompletion=known_launchers,
         ),
     ] = None,
-    workers: Annotated[
-        int | None, typer.Option(min=1, help="Processes; as many as there are cores unless given.")
-    ] = None,
+    workers: Workers = None,
     ray_address: Annotated[
-        str | None, typer.Option(help="A Ray cluster that runs already, such as auto.")
+        str | None, typer.Option(help="Address of a Ray cluster that runs already.")
     ] = None,
     dry_run: Annotated[
         bool, typer.Option("--dry-run", help="Say what would run and how long it takes; stop.")
@@ -120,135 +161,219 @@ def run(
     """Drive a protocol at every combination of values; a stopped sweep goes on where it was.
 
     Every point meets the same virtual participants and seeds. Intervals are sampled by a Sobol
-    sequence.
+    sequence; design and nuisance are crossed.
 
     Example: omnistudy sweep run utah2017_component law.stiffness.x=100,200 --trials 1
     """
+    from omnistudy.session.sweep.planning import Question, Thinning
+
+    question = Question(
+        protocol=protocol,
+        words=tuple(word for word in words if not word.startswith("hydra.")),
+        nuisance=tuple(nuisance or ()),
+        design=tuple(design or ()),
+        samples=samples,
+        nuisance_samples=nuisance_samples,
+        seed=seed,
+        thinning=Thinning(tuple(condition or ()), participants, trials),
+        objective=_objective(search, objective, launcher),
+    )
+    own_settings = tuple(word for word in words if word.startswith("hydra."))
+    _run(question, name, launcher, workers, ray_address, own_settings, dry_run)
+
+
+def _objective(search: str | None, objective: str, launcher: str | None) -> str | None:
+    from omnistudy.analysis.sweep import OUTCOMES
+    from omnistudy.errors.sweep import UnknownOutcome
+    from omnistudy.session.sweep.search import require_optuna
+
+    if search is None:
+        return None
+    if search != "optuna":
+        raise typer.BadParameter(f"--search {search}: only optuna is known")
+    if launcher is not None:
+        raise typer.BadParameter("--search runs on this machine's --workers: leave --launcher out")
+    if objective not in OUTCOMES:
+        raise UnknownOutcome(objective, list(OUTCOMES))
+    require_optuna()
+    return objective
+
+
+def _run(
+    question: Question,
+    name: str | None,
+    launcher: str | None,
+    workers: int | None,
+    ray_address: str | None,
+    own_settings: tuple[str, ...],
+    dry_run: bool,
+) -> None:
     from omnistudy.session.sweep.folder import SweepFolder, sweeps_folder
     from omnistudy.session.sweep.launchers import chosen_launcher, cores
-    from omnistudy.session.sweep.planning import Question, Thinning, plan_sweep, sweep_name
+    from omnistudy.session.sweep.planning import sweep_name
     from omnistudy.session.sweep.run import remaining, run_sweep
+    from omnistudy.session.sweep.search import run_search
 
     count = workers or cores()
     chosen = chosen_launcher(launcher or ("ray" if ray_address else None), count)
-    words_read = tuple(word for word in words if not word.startswith("hydra."))
-    sweep = plan_sweep(
-        Question(
-            protocol=protocol,
-            words=words_read,
-            nuisance=tuple(nuisance or ()),
-            design=tuple(design or ()),
-            samples=samples,
-            nuisance_samples=nuisance_samples,
-            seed=seed,
-            thinning=Thinning(tuple(condition or ()), participants, trials),
-        )
-    )
+    plan = _planned(question)
+    sweep = plan.sweep
     folder = SweepFolder(sweeps_folder() / sweep_name(sweep, name))
     if folder.path.exists() or not dry_run:
         folder.open(sweep)
     left = remaining(folder, sweep)
-    _print_plan(folder, sweep)
-    print_line(
-        f"to run: {left.trials} trials at {len(left.points)} points with {chosen.name}, {count} "
-        f"{'worker' if count == 1 else 'workers'}: about {_duration(left.seconds(count))} "
-        f"({left.seconds_a_trial:.2g} s a trial)"
-    )
-    if dry_run:
+    print_plan(folder, sweep)
+    print_left(left, "optuna" if sweep.search else chosen.name, count)
+    if dry_run or not left.points:
         return
-    with progress(f"sweep {folder.name}, points", len(left.points)) as advance:
-        run_sweep(
-            folder,
-            sweep,
-            left,
-            chosen,
-            count,
-            own_settings=[word for word in words if word.startswith("hydra.")],
-            ray_address=ray_address,
-            finished=advance,
-        )
+    with progress(f"sweep {folder.name}, points", left.points) as advance:
+        if sweep.search is not None:
+            run_search(folder, plan, sweep.search, count, advance)
+        else:
+            run_sweep(
+                folder,
+                sweep,
+                left,
+                chosen,
+                count,
+                own_settings=own_settings,
+                ray_address=ray_address,
+                finished=advance,
+            )
     print_line(f"finished: `omnistudy sweep show {folder.name}` ranks its points")
+
+
+def _planned(question: Question) -> SweepPlan:
+    """Plan with progress: points that cannot be put together from parts are slow to compose."""
+    from omnistudy.session.sweep.planning import plan_sweep
+
+    with ExitStack() as shown:
+        advance: list[Advance] = []
+
+        def planned(total: int) -> None:
+            if total > PLANNED_AT_ONCE and not advance:
+                advance.append(shown.enter_context(progress("planning points", total)))
+            for step in advance:
+                step()
+
+        return plan_sweep(question, planned)
+
+
+@app.command("list")
+def list_(json: AsJson = False) -> None:
+    """List the sweeps in the folder of sweeps.
+
+    Example: omnistudy sweep list
+    """
+    from omnistudy.session.sweep.folder import SweepFolder, sweep_names, sweeps_folder
+
+    rows = []
+    for name in sweep_names():
+        folder = SweepFolder(sweeps_folder() / name)
+        sweep = folder.question()
+        points = sweep.designs * sweep.nuisances
+        rows.append((name, sweep.protocol, points, len(folder.done()), len(folder.failed())))
+    columns = ("name", "protocol", "points", "finished", "failed")
+    if json:
+        print_json([dict(zip(columns, row, strict=True)) for row in rows])
+    else:
+        print_table("Sweeps", columns, rows)
 
 
 @app.command()
 def show(
     name: SweepArgument = None,
-    by: Annotated[
-        str, typer.Option(help="Rank by collisions, duration_s or work_against_j.")
-    ] = "collisions",
-    worst: Annotated[
-        bool, typer.Option("--worst", help="Rank by the worst tenth instead of the mean.")
-    ] = False,
+    by: By = "collisions",
+    worst: Worst = False,
+    every: Annotated[bool, typer.Option("--all", help="Print every row.")] = False,
     csv: Annotated[
         Path | None, typer.Option(help="Write the table, one row a trial, to this file.")
     ] = None,
+    draw: Annotated[
+        Path | None, typer.Option(help="Draw the front into this .png or .svg.")
+    ] = None,
+    force: Force = False,
     json: AsJson = False,
 ) -> None:
     """Rank a sweep's design points and say which cannot be told apart from the best.
 
-    Example: omnistudy sweep show gains
+    Also gives the front: the points that no other one beats or equals in collisions, time and work
+    against the hand together.
+
+    Example: omnistudy sweep show gains --worst --draw front.png
     """
-    from omnistudy.analysis.sweep import rank
-    from omnistudy.errors.sweep import NothingRanYet
-    from omnistudy.session.sweep.folder import find_sweep, table
+    from dataclasses import asdict
+
+    from omnistudy.report.draw_sweep import draw_front
+    from omnistudy.session.sweep.folder import find_sweep
 
     folder = find_sweep(name)
+    sweep, rows, ranking = _ranked(folder, by, worst)
+    if csv is not None:
+        if csv.exists() and not force:
+            raise typer.BadParameter(f"{csv} exists; choose another name, or --force")
+        rows.to_csv(csv, index=False)
+    if draw is not None:
+        draw_front(ranking, draw, replace=force)
+    if json:
+        print_json({"name": folder.name, "protocol": sweep.protocol, **asdict(ranking)})
+        return
+    print_ranking(folder.name, ranking, len(ranking.points) if every else SHOWN)
+
+
+def _ranked(folder: SweepFolder, by: str, worst: bool) -> tuple[Sweep, pd.DataFrame, Ranking]:
+    from omnistudy.analysis.sweep import rank
+    from omnistudy.errors.sweep import NothingRanYet
+    from omnistudy.session.sweep.folder import table
+
     sweep = folder.question()
     rows = table(sweep, folder.finished())
-    if not len(rows):
+    if rows.empty:
         raise NothingRanYet(folder.name)
-    if csv is not None:
-        rows.to_csv(csv, index=False)
     ranking = rank(
         rows,
         sweep.keys("design"),
-        len({point.nuisance for point in sweep.points}),
+        sweep.nuisances,
         sweep.design_hash,
         by=by,
         order="worst_tenth" if worst else "mean",
     )
-    if json:
-        print_json(ranking)
-        return
-    print_table(
-        f"Sweep '{folder.name}', ranked by {ranking.order} of {by}",
-        ("row", *ranking.keys, "mean", "worst tenth", "behind", "tied", "front", "time", "work"),
-        [
-            (
-                point.row,
-                *point.values,
-                point.mean.value,
-                point.worst_tenth.value,
-                point.behind.value,
-                point.tied,
-                point.in_front,
-                point.outcomes["duration_s"],
-                point.outcomes["work_against_j"],
-            )
-            for point in ranking.points
-        ],
-    )
-    print_line(ranking.method)
+    return sweep, rows, ranking
 
 
-def _print_plan(folder: SweepFolder, sweep: Sweep) -> None:
-    designs = len({point.design for point in sweep.points})
-    nuisances = len({point.nuisance for point in sweep.points})
-    people = len({trial.participant for trial in sweep.trials})
-    print_table(
-        f"Sweep '{folder.name}'",
-        ("key", "role", "values"),
-        [(one.key, one.role, one.asked) for one in sweep.variables],
-    )
-    print_line(
-        f"{len(sweep.points)} points ({designs} design x {nuisances} nuisance) of "
-        f"{len(sweep.trials)} trials each: {people} participants, "
-        f"conditions {', '.join(sweep.conditions)}"
-    )
+@app.command()
+def take(
+    row: Annotated[int, typer.Argument(help="Row of `omnistudy sweep show`.")],
+    output: Annotated[
+        Path, typer.Option("--output", "-o", help="YAML page to write, such as chosen.yaml.")
+    ],
+    sweep: Annotated[
+        str | None,
+        typer.Option(
+            help="A sweep's name; not needed when there is only one.", autocompletion=known_sweeps
+        ),
+    ] = None,
+    by: By = "collisions",
+    worst: Worst = False,
+    force: Force = False,
+) -> None:
+    """Write a design point as a protocol's page that says where it comes from.
 
+    The page rests on the sweep's protocol and names what was chosen; the nuisance is not taken.
 
-def _duration(seconds: float) -> str:
-    if seconds < 90:
-        return f"{seconds:.0f} s"
-    minutes = seconds / 60
-    return f"{minutes:.0f} min" if minutes < 90 else f"{minutes / 60:.1f} h"
+    Example: omnistudy sweep take 3 --sweep gains -o chosen.yaml
+    """
+    from omnistudy.errors.sweep import RowOutOfRange
+    from omnistudy.report.sweep_words import provenance
+    from omnistudy.session.sweep.folder import find_sweep
+    from omnistudy.session.sweep.take import take as write
+
+    folder = find_sweep(sweep)
+    question, _, ranking = _ranked(folder, by, worst)
+    chosen = [point for point in ranking.points if point.row == row]
+    if not chosen:
+        raise RowOutOfRange(row, [point.row for point in ranking.points])
+    values = dict(zip(ranking.keys, chosen[0].values, strict=True))
+    lines = provenance(folder.name, question, ranking, chosen[0])
+    write(question, values, lines, output, replace=force)
+    print_line(f"wrote {output}: `omnistudy protocol check {output}` reads it")

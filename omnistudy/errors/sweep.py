@@ -187,6 +187,16 @@ class NothingRanYet(OmnistudyError):
         super().__init__(f"sweep '{name}' has no finished point yet: repeat its command to run it")
 
 
+class NoCompletePoint(OmnistudyError):
+    """A sweep in which no design point met all of the nuisance."""
+
+    def __init__(self, nuisances: int) -> None:
+        super().__init__(
+            f"no design point was driven over all {nuisances} nuisance points yet, and others "
+            "cannot be compared: repeat the sweep's command to go on"
+        )
+
+
 class RowOutOfRange(OmnistudyError):
     """A row that the sweep does not have."""
 
@@ -256,6 +266,26 @@ class NothingToSearch(OmnistudyError):
     def __init__(self) -> None:
         super().__init__(
             "--search optuna needs a design key with several values: every key given is a nuisance"
+        )
+
+
+class ObjectiveNotRecorded(OmnistudyError):
+    """An outcome that these trials do not have."""
+
+    def __init__(self, column: str) -> None:
+        super().__init__(
+            f"{column} is not recorded in these trials (the device has no motor channels, or "
+            "nothing was ever commanded): choose another outcome"
+        )
+
+
+class UnknownOutcome(OmnistudyError):
+    """A column that is no outcome."""
+
+    def __init__(self, given: str, known: Sequence[str]) -> None:
+        super().__init__(
+            f"'{given}' is no outcome of a sweep: the outcomes are {', '.join(known)}"
+            f"{nearest(given, known)}"
         )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator, Mapping, Sequence
 from copy import deepcopy
 from dataclasses import dataclass
@@ -41,7 +42,7 @@ class Effects:
         self._composer = composer
         self._tree = canonical_tree(freeze(base))
         self._swept = {one.variable.key: one for one in swept}
-        self._known: dict[tuple[str, str], tuple[Change, ...]] = {}
+        self._known: dict[str, tuple[Change, ...]] = {}
         self._places = {key: self._direct(one) for key, one in self._swept.items()}
         self._separable = self._are_separable()
 
@@ -51,9 +52,11 @@ class Effects:
             return tuple(change for item in values.items() for change in self._one(*item))
         return self._composed(values)
 
-    def ends(self, key: str) -> tuple[tuple[Change, ...], ...]:
-        """Give what a variable's first and last value change by themselves."""
-        return tuple(self._composed({key: value}) for value in self._swept[key].ends)
+    def ends(self, key: str) -> tuple[Protocol, ...]:
+        """Give the protocol at a variable's first and last value."""
+        return tuple(
+            changed(self._tree, self._composed({key: value})) for value in self._swept[key].ends
+        )
 
     def _one(self, key: str, value: Any) -> tuple[Change, ...]:
         places = self._places[key]
@@ -62,7 +65,7 @@ class Effects:
         return self._composed({key: value})
 
     def _composed(self, values: Mapping[str, Any]) -> tuple[Change, ...]:
-        known = repr(sorted(values)), repr(sorted(values.items(), key=lambda item: item[0]))
+        known = json.dumps(dict(values), sort_keys=True)
         if known not in self._known:
             tree = canonical_tree(freeze(self._composer.protocol(values)))
             self._known[known] = tuple(differences(self._tree, tree))
@@ -104,16 +107,12 @@ class Effects:
 
 def canonical_tree(frozen: FrozenProtocol) -> dict[str, Any]:
     """Give the canonical text as a tree."""
-    import json
-
     tree: dict[str, Any] = json.loads(frozen.canonical_json)
     return tree
 
 
 def changed(tree: Mapping[str, Any], changes: Sequence[Change]) -> Protocol:
     """Give the protocol of a canonical tree with some places changed; raises ValidationError."""
-    import json
-
     full = deepcopy(dict(tree))
     for change in changes:
         *parents, last = change.path

@@ -106,16 +106,27 @@ class SweepFolder:
         """Name the failed points by design and nuisance."""
         return _numbers(self.failures)
 
+    def kept(self, design: int, nuisance: int) -> Finished | None:
+        """Read one finished point, None unless it is finished; raises BrokenSweep."""
+        path = self.results / _file(design, nuisance)
+        return _finished(path) if path.exists() else None
+
+    def drop(self, design: int, nuisance: int) -> None:
+        """Forget a point, so that it is driven again."""
+        (self.results / _file(design, nuisance)).unlink(missing_ok=True)
+
     def finished(self) -> tuple[Finished, ...]:
         """Read every finished point, in order; raises BrokenSweep."""
-        return tuple(
-            Finished(**{**content, "values": tuple(content["values"])})
-            for content in _contents(self.results)
-        )
+        return tuple(_finished(path) for path in _files(self.results))
 
     def errors(self) -> tuple[Failed, ...]:
         """Read why points failed, in order; raises BrokenSweep."""
-        return tuple(Failed(**content) for content in _contents(self.failures))
+        return tuple(Failed(**_content(path)) for path in _files(self.failures))
+
+    def forget_errors(self) -> None:
+        """Take the errors of earlier runs away: what failed is tried again."""
+        for path in _files(self.failures):
+            path.unlink()
 
 
 def table(sweep: Sweep, finished: Sequence[Finished]) -> pd.DataFrame:
@@ -161,19 +172,26 @@ def _file(design: int, nuisance: int) -> str:
     return f"{design:05d}-{nuisance:05d}.json"
 
 
+def _files(folder: Path) -> list[Path]:
+    return sorted(folder.glob("[0-9]*.json"))
+
+
 def _numbers(folder: Path) -> set[tuple[int, int]]:
-    pairs = (path.stem.split("-") for path in folder.glob("[0-9]*.json"))
+    pairs = (path.stem.split("-") for path in _files(folder))
     return {(int(design), int(nuisance)) for design, nuisance in pairs}
 
 
-def _contents(folder: Path) -> list[dict[str, Any]]:
-    found = []
-    for path in sorted(folder.glob("[0-9]*.json")):
-        try:
-            found.append(json.loads(path.read_text(encoding="utf-8")))
-        except (OSError, ValueError) as cause:
-            raise BrokenSweep(path, str(cause)) from cause
-    return found
+def _finished(path: Path) -> Finished:
+    content = _content(path)
+    return Finished(**{**content, "values": tuple(content["values"])})
+
+
+def _content(path: Path) -> dict[str, Any]:
+    try:
+        content: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as cause:
+        raise BrokenSweep(path, str(cause)) from cause
+    return content
 
 
 def _write(path: Path, text: str) -> None:

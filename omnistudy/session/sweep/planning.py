@@ -69,39 +69,77 @@ class Question:
     objective: str | None = None
 
 
+@dataclass(frozen=True)
+class PointMaker:
+    """Makes points of a base protocol out of values."""
+
+    keys: tuple[str, ...]
+    tree: Mapping[str, Any]
+    effects: Effects
+    composer: Composer
+
+    def at(self, values: Mapping[str, Any], design: int, nuisance: int) -> Point:
+        """Give the point at these values, validated; raises ProtocolFaults."""
+        ordered = {key: values[key] for key in self.keys if key in values}
+        changes = self.effects.changes(ordered)
+        try:
+            changed(self.tree, changes)
+        except ValidationError:
+            # Composing says the same in words.
+            self.composer.protocol(ordered)
+            raise
+        return Point(
+            design=design, nuisance=nuisance, values=tuple(ordered.values()), changes=changes
+        )
+
+
+@dataclass(frozen=True)
+class SweepPlan:
+    """A sweep with what a search needs to go on asking."""
+
+    sweep: Sweep
+    asked: Asked
+    points: PointMaker
+
+
 def plan_sweep(
-    question: Question, planned: Callable[[int, int], None] = lambda done, total: None
-) -> Sweep:
+    question: Question, planned: Callable[[int], None] = lambda total: None
+) -> SweepPlan:
     """Compose the base, read the words, list points and trials.
 
-    planned : told how many of how many points are planned.
+    planned : told of every point that is planned, of how many in all.
 
     Raises ProtocolFaults, UnknownCondition, and every mistake of `errors.sweep` that lies in what
     was asked.
     """
     asked = read_words(question.words, question.nuisance, question.design)
+    search = _search(question, asked)
     base = compose_protocol(question.protocol, asked.overrides)
     if base.participants.kind != "virtual":
         raise HumanSweep(base.name)
     frozen = freeze(base)
-    effects = Effects(Composer(question.protocol, asked.overrides), base, asked.swept)
-    conditions = _conditions(base, frozen, asked, effects, question.thinning.conditions)
-    return Sweep(
+    composer = Composer(question.protocol, asked.overrides)
+    effects = Effects(composer, base, asked.swept)
+    keys = tuple(one.variable.key for one in asked.swept)
+    maker = PointMaker(keys, canonical_tree(frozen), effects, composer)
+    conditions = _conditions(base, asked, effects, question.thinning.conditions)
+    sweep = Sweep(
         version=VERSION,
         protocol=question.protocol,
         overrides=asked.overrides,
         design_hash=frozen.design_hash,
         site_hash=frozen.site_hash,
-        base=canonical_tree(frozen),
+        base=dict(maker.tree),
         variables=tuple(one.variable for one in asked.swept),
         samples=question.samples,
         nuisance_samples=question.nuisance_samples,
         seed=question.seed,
         conditions=conditions,
         trials=_trials(base, frozen, conditions, question.thinning),
-        points=_points(question, asked, effects, canonical_tree(frozen), planned),
-        search=_search(question, asked),
+        points=_points(question, asked, maker, planned),
+        search=search,
     )
+    return SweepPlan(sweep, asked, maker)
 
 
 def sweep_name(sweep: Sweep, given: str | None) -> str:
@@ -118,42 +156,24 @@ def sweep_name(sweep: Sweep, given: str | None) -> str:
     return name
 
 
-def point_at(
-    values: Mapping[str, Any], effects: Effects, tree: Mapping[str, Any], composer: Composer
-) -> Point:
-    """Give a validated point without its numbers; raises ProtocolFaults."""
-    changes = effects.changes(values)
-    try:
-        changed(tree, changes)
-    except ValidationError:
-        composer.protocol(values)
-        raise
-    return Point(design=1, nuisance=1, values=tuple(values.values()), changes=changes)
-
-
 def _points(
     question: Question,
     asked: Asked,
-    effects: Effects,
-    tree: Mapping[str, Any],
-    planned: Callable[[int, int], None],
+    maker: PointMaker,
+    planned: Callable[[int], None],
 ) -> tuple[Point, ...]:
-    composer = Composer(question.protocol, asked.overrides)
+    """List every point; for a search the nuisance alone, as design 0."""
     nuisance_samples = question.nuisance_samples or question.samples
-    designs: tuple[dict[str, Any], ...] = ({},)
-    if question.objective is None:
-        require_interval(asked.swept, question.samples)
-        designs = combinations(asked.swept, "design", question.samples, question.seed)
     nuisances = combinations(asked.swept, "nuisance", nuisance_samples, question.seed)
-    keys = [one.variable.key for one in asked.swept]
-    points = []
+    if question.objective is not None:
+        return tuple(maker.at(met, 0, number) for number, met in enumerate(nuisances, start=1))
+    require_interval(asked.swept, question.samples)
+    designs = combinations(asked.swept, "design", question.samples, question.seed)
+    points: list[Point] = []
     for design, chosen in enumerate(designs, start=1):
         for nuisance, met in enumerate(nuisances, start=1):
-            both = {**chosen, **met}
-            values = {key: both[key] for key in keys if key in both}
-            point = point_at(values, effects, tree, composer)
-            points.append(point.model_copy(update={"design": design, "nuisance": nuisance}))
-            planned(len(points), len(designs) * len(nuisances))
+            points.append(maker.at({**chosen, **met}, design, nuisance))
+            planned(len(designs) * len(nuisances))
     return tuple(points)
 
 
@@ -168,18 +188,14 @@ def _search(question: Question, asked: Asked) -> Search | None:
 
 
 def _conditions(
-    base: Protocol,
-    frozen: FrozenProtocol,
-    asked: Asked,
-    effects: Effects,
-    given: Sequence[str],
+    base: Protocol, asked: Asked, effects: Effects, given: Sequence[str]
 ) -> tuple[str, ...]:
     """Name the conditions to drive; every key must change one of them."""
     names = [condition.name for condition in base.conditions]
     for name in given:
         base.condition(name)
     touched = {
-        one.variable.key: _touched(base, frozen, one.variable.key, effects) for one in asked.swept
+        one.variable.key: _touched(base, effects.ends(one.variable.key)) for one in asked.swept
     }
     chosen = [name for name in names if name in given] if given else names
     for key, conditions in touched.items():
@@ -192,10 +208,8 @@ def _conditions(
     return tuple(name for name in names if name in by_keys)
 
 
-def _touched(base: Protocol, frozen: FrozenProtocol, key: str, effects: Effects) -> set[str]:
-    """Name the conditions whose set-up a key changes."""
-    tree = canonical_tree(frozen)
-    protocols = [changed(tree, changes) for changes in effects.ends(key)]
+def _touched(base: Protocol, protocols: Iterable[Protocol]) -> set[str]:
+    """Name the conditions whose set-up differs in one of some protocols."""
     return {
         condition.name
         for condition in base.conditions

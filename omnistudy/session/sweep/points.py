@@ -71,5 +71,9 @@ def _within(interval: Interval, unit: float) -> float | int:
     """Give the value at a place in [0, 1) of an interval."""
     if interval.whole:
         return floor(interval.low + unit * (interval.high - interval.low + 1))
-    value = interval.low + unit * (interval.high - interval.low)
+    return rounded(interval.low + unit * (interval.high - interval.low), interval)
+
+
+def rounded(value: float, interval: Interval) -> float:
+    """Round to DIGITS, inside the interval."""
     return min(max(float(f"{value:.{DIGITS}g}"), interval.low), interval.high)

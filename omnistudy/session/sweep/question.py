@@ -81,9 +81,19 @@ class Sweep(Model):
     conditions: tuple[str, ...]
     trials: tuple[SweptTrial, ...]
     points: tuple[Point, ...]
-    """In a search: the nuisance alone, to be crossed with each design point."""
+    """In a search the nuisance alone, as design 0; each design point asked for meets all of it."""
     search: Search | None = None
 
     def keys(self, role: Role) -> tuple[str, ...]:
         """Name the variables of a role."""
         return tuple(variable.key for variable in self.variables if variable.role == role)
+
+    @property
+    def nuisances(self) -> int:
+        """Count the combinations of the nuisance, which every design point meets."""
+        return len({point.nuisance for point in self.points})
+
+    @property
+    def designs(self) -> int:
+        """Count the design points, in a search those that it may try."""
+        return self.search.samples if self.search else len({one.design for one in self.points})

@@ -29,17 +29,19 @@ LOADING_S = 3.0
 class Remaining:
     """What a run has before it.
 
-    points : 0-based places in the sweep's list. seconds_a_trial : on one worker.
+    places : of the sweep's listed points, 0-based; a search lists none. points : how many are left.
+    seconds_a_trial : on one worker.
     """
 
-    points: tuple[int, ...]
+    places: tuple[int, ...]
+    points: int
     trials_a_point: int
     seconds_a_trial: float
 
     @property
     def trials(self) -> int:
-        """How many trials are to be driven."""
-        return len(self.points) * self.trials_a_point
+        """Count the trials that are to be driven."""
+        return self.points * self.trials_a_point
 
     def seconds(self, workers: int) -> float:
         """Give the expected wall time in s."""
@@ -49,24 +51,25 @@ class Remaining:
 def remaining(folder: SweepFolder, sweep: Sweep) -> Remaining:
     """Say what is left, timed by what was driven or, before anything was, by one trial."""
     done = folder.done()
-    points = tuple(
+    places = tuple(
         index
         for index, point in enumerate(sweep.points)
         if (point.design, point.nuisance) not in done
     )
-    if not points:
-        return Remaining((), len(sweep.trials), 0.0)
+    points = len(places)
+    if sweep.search is not None:
+        places, points = (), sweep.designs * sweep.nuisances - len(done)
     finished = folder.finished()
     if finished:
         seconds = fmean(point.seconds for point in finished) / len(sweep.trials)
     else:
-        seconds = timed_trial(sweep, points[0])
-    return Remaining(points, len(sweep.trials), seconds)
+        seconds = timed_trial(sweep)
+    return Remaining(places, points, len(sweep.trials), seconds)
 
 
-def timed_trial(sweep: Sweep, point: int) -> float:
-    """Drive the first trial of a point and say in s how long it took."""
-    spec = spec_of(changed(sweep.base, sweep.points[point].changes), sweep.trials[0])
+def timed_trial(sweep: Sweep) -> float:
+    """Drive the first trial of the first point and say in s how long it took."""
+    spec = spec_of(changed(sweep.base, sweep.points[0].changes), sweep.trials[0])
     took = _timed(lambda: run_trial(spec))
     return _timed(lambda: run_trial(spec)) if took < LOADING_S else took
 
@@ -88,9 +91,8 @@ def run_sweep(
 
     Raises LauncherFailed, and JobsFailed at the end.
     """
-    for file in folder.failures.glob("*.json"):
-        file.unlink()
-    jobs = cut(left.points, launcher, workers, left.seconds_a_trial * left.trials_a_point)
+    folder.forget_errors()
+    jobs = cut(left.places, launcher, workers, left.seconds_a_trial * left.trials_a_point)
     if jobs:
         chosen = settings(launcher, workers, left.seconds(1), ray_address)
         with _watching(folder, finished):
