@@ -37,10 +37,12 @@ def factor_faults(protocol: Protocol) -> Iterator[str]:
 def course_faults(protocol: Protocol) -> Iterator[str]:
     """Find orders that cannot order what they are given, and conditions that nobody meets."""
     if (protocol.order is None) == (not protocol.visits):
-        yield "order: give either an order or visits with blocks, each with an order of its own"
+        given = "neither is given" if protocol.order is None else "both are given"
+        yield f"order: {given}: give an order, or visits whose blocks have orders of their own"
         return
     met: set[str] = set()
     for where, block in _blocks(protocol):
+        yield from _only(protocol, where, block)
         for group in groups(protocol):
             names = met_in(protocol, block, group)
             yield from (f"{where}order: {fault}" for fault in _unordered(block, names, group))
@@ -59,11 +61,27 @@ def _unordered(block: Block, names: tuple[str, ...], group: Group) -> Iterator[s
     of_group = f" of group '{group.name}'" if group.name else ""
     if not names:
         only = ", ".join(f"{level.factor} {level.level}" for level in block.only)
-        yield f"no condition{of_group} is left: only {only} rules them all out"
+        yield f"no condition{of_group} is left by only {only}"
     elif faults := tuple(block.order.faults(names)):
         yield from (f"{fault}{f' ({of_group.strip()})' if of_group else ''}" for fault in faults)
     elif block.order.trials(names) < 1:
         yield "it gives no trial"
+
+
+def _only(protocol: Protocol, where: str, block: Block) -> Iterator[str]:
+    levels = {factor.name: factor.levels for factor in protocol.factors}
+    for given in block.only:
+        allowed = levels.get(given.factor, ())
+        if given.factor not in levels:
+            yield (
+                f"{where}only.{given.factor}: unknown factor: the factors are "
+                f"{', '.join(levels) or 'none'}{nearest(given.factor, levels)}"
+            )
+        elif given.level not in allowed:
+            yield (
+                f"{where}only.{given.factor}: unknown level '{given.level}': the levels are "
+                f"{', '.join(allowed)}{nearest(given.level, allowed)}"
+            )
 
 
 def _named(block: Block, names: tuple[str, ...]) -> tuple[str, ...]:
