@@ -41,7 +41,13 @@ def _finite(values: Triple) -> Triple:
 @app.command()
 def probe(
     kind: Kind,
-    scan: Annotated[Path, typer.Option(help="JSON file: angles (rad), ranges (m), max_range (m).")],
+    scan: Annotated[
+        Path,
+        typer.Option(
+            help="JSON file: angles (rad), ranges (m), max_range (m); for rays from elsewhere x "
+            "and y (m), for a sensor that tells them rates (m/s)."
+        ),
+    ],
     twist: Annotated[
         Triple,
         typer.Option(
@@ -88,15 +94,28 @@ def probe(
 def _print_probe(found: Probe) -> None:
     forces = (("fx", found.fx, "N"), ("fy", found.fy, "N"), ("tau", found.tau, "N·m"))
     print_table(f"'{found.kind}' on the hand", ("part", "value", "unit"), forces)
-    rows = [(part, *row) for part, row in zip(("fx", "fy", "tau"), found.stiffness, strict=True)]
-    print_table("stiffness (per m, m, rad)", ("part", "x", "y", "theta"), rows)
+    _print_matrix("stiffness (per m, m, rad)", found.stiffness)
+    if any(map(any, found.damping)):
+        _print_matrix("damping (per m/s, m/s, rad/s)", found.damping)
     if found.n is not None:
         print_line(f"rays that touch the boundary: {found.n}")
 
 
+def _print_matrix(title: str, matrix: Matrix3) -> None:
+    rows = [(part, *row) for part, row in zip(("fx", "fy", "tau"), matrix, strict=True)]
+    print_table(title, ("part", "x", "y", "theta"), rows)
+
+
 @app.command()
 def draw(
-    kind: Kind,
+    kinds: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="KIND...",
+            help="Kind of law, or several to set side by side; `omnistudy law list` names them.",
+            autocompletion=kinds_of("laws"),
+        ),
+    ],
     output: Annotated[Path, typer.Option("--output", "-o", help="Picture: .svg or .png.")],
     scan: Annotated[
         Path | None, typer.Option(help="Draw this one scene instead of the four standard ones.")
@@ -104,18 +123,18 @@ def draw(
     settings: Settings = None,
     force: Annotated[bool, typer.Option("--force", help="Replace an existing file.")] = False,
 ) -> None:
-    """Draw what a law does: beside walls, or in one scene.
+    """Draw what laws do: beside walls, or in one scene.
 
-    Example: omnistudy law draw component -o component.svg
+    Example: omnistudy law draw component quadrant -o laws.svg
     """
     from omnistudy.laws.drawing import draw_field
     from omnistudy.laws.scan_file import read_scan
     from omnistudy.laws.scene_drawing import draw_scene
     from omnistudy.registry.parameters import make_kind
 
-    law = make_kind("laws", kind, settings or ())
+    laws = [make_kind("laws", kind, settings or ()) for kind in kinds]
     if scan is None:
-        draw_field(law, output, replace=force)
+        draw_field(laws, output, replace=force)
     else:
-        draw_scene(law, read_scan(scan), output, replace=force)
+        draw_scene(laws, read_scan(scan), output, replace=force)
     print_line(f"drawn: {output}")

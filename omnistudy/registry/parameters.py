@@ -129,6 +129,6 @@ def _parsed(text: str) -> Any:
 
 
 def _sentence(error: ErrorDetails, fault: Fault) -> str:
-    if error["type"] == "extra_forbidden":
+    if error["type"].startswith(("extra_forbidden", "union_tag_")):
         return f"{fault.path}: {fault.sentence}"
     return f"{fault.path} = {error['input']!r}: {error['msg'].removeprefix('Value error, ')}"
