@@ -42,12 +42,24 @@ def plan(
         return
     print_table(
         f"Session of {participant} in '{name}' (minutes:seconds, expected)",
-        ("starts", "lasts", "position", "condition", "repetition", "route", "status"),
+        (
+            "visit",
+            "starts",
+            "lasts",
+            "position",
+            "kind",
+            "condition",
+            "repetition",
+            "route",
+            "status",
+        ),
         [
             (
+                trial.visit,
                 _clock(trial.start_s),
                 _clock(trial.duration_s),
                 trial.position,
+                trial.kind,
                 trial.condition,
                 trial.repetition,
                 trial.route,

@@ -9,7 +9,10 @@ from omnistudy.protocol.schedule import expected_duration
 from omnistudy.store import StudyFile
 from omnistudy.study.frozen import frozen_protocol
 
-STORED = ("trial", "visit", "position", "attempt", "condition", "repetition", "route", "status")
+STORED = (
+    *("trial", "visit", "position", "attempt", "kind", "condition", "repetition", "route"),
+    "status",
+)
 """Columns of the study's trials that a plan shows."""
 
 
@@ -26,6 +29,7 @@ class SessionTrial:
     visit: int
     position: int
     attempt: int
+    kind: str
     condition: str | None
     repetition: int
     route: str
