@@ -42,13 +42,16 @@ def parameters(kind_class: type[BaseModel]) -> tuple[Parameter, ...]:
     return tuple(_parameters(kind_class, ""))
 
 
-def _parameters(model: type[BaseModel], prefix: str) -> Iterator[Parameter]:
+def _parameters(
+    model: type[BaseModel], prefix: str, made: BaseModel | None = None
+) -> Iterator[Parameter]:
+    """List a model's parameters with its own defaults, or with what one that is made holds."""
     for name, field in model.model_fields.items():
-        default = _default(field)
+        default = _default(field) if made is None else getattr(made, name)
         if isinstance(default, KindModel) and len(models_in(field.annotation)) > 1:
             yield from _alternatives(field, default, f"{prefix}{name}.")
         elif isinstance(default, BaseModel):
-            yield from _parameters(type(default), f"{prefix}{name}.")
+            yield from _parameters(type(default), f"{prefix}{name}.", default)
         elif name != "kind":
             meaning = " ".join((field.description or "").split())
             yield Parameter(prefix + name, default, unit_of(field), meaning, field.is_required())
@@ -60,8 +63,8 @@ def _alternatives(field: FieldInfo, default: KindModel, prefix: str) -> Iterator
     named = [str(model.model_fields["kind"].default) for model in models]
     yield Parameter(f"{prefix}kind", default.kind, "", f"One of {', '.join(named)}.", False)
     for name, model in zip(named, models, strict=True):
-        for row in _parameters(model, prefix):
-            chosen = name == default.kind
+        chosen = name == default.kind
+        for row in _parameters(model, prefix, default if chosen else None):
             meaning = row.meaning if chosen else f"Of kind {name}. {row.meaning}"
             yield row._replace(meaning=meaning, required=row.required and chosen)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from omnistudy.devices.simulated_stick import SimulatedStick
 from omnistudy.errors import UnknownKind
 from omnistudy.errors.parameters import BadParameter, NotASetting, UnknownParameter
 from omnistudy.laws.boundary import CircularBoundary, RectangularBoundary
@@ -23,6 +24,13 @@ def test_nested_parameters_are_listed_with_unit_and_meaning() -> None:
     assert (listed["as_published"].default, listed["as_published"].unit) == (False, "")
     assert all(parameter.meaning for parameter in listed.values())
     assert parameters(NoLaw) == ()
+
+
+def test_a_part_is_listed_with_the_numbers_that_its_owner_gives_it() -> None:
+    """The stick's axes differ from an axis's own defaults: gravity 100 in x, 70 in y."""
+    listed = {parameter.name: parameter.default for parameter in parameters(SimulatedStick)}
+    assert (listed["x.gravity"], listed["y.gravity"], listed["theta.gravity"]) == (100, 70, 0)
+    assert listed["theta.proportional"] == pytest.approx(1.9 * 0.7)
 
 
 def test_settings_change_what_they_name_and_nothing_else() -> None:
