@@ -8,8 +8,8 @@ from omnistudy.plants.bullet import pybullet
 from omnistudy.scene import Track
 
 CAUGHT = 0.002
-"""Overlap in m from which a robot counts as caught between a body and a wall: one that can give
-way overlaps by hundredths of a millimetre."""
+"""Overlap in m, with a moving body or with the wall behind, from which a robot that a body touches
+counts as caught: one that can give way overlaps by hundredths of a millimetre."""
 
 STANDING = (0.0, 0.0, 0.0)
 
@@ -55,7 +55,7 @@ class MovingBodies:
             ahead = body.track.at(then)
             velocity = ((ahead.x - x) * hz, (ahead.y - y) * hz, 0.0)
             pybullet.resetBaseVelocity(body.uid, velocity, STANDING, physicsClientId=client)
-            self._release(body.uid, robot)
+        self._release(robot)
         self._steps += 1
 
     def _place(self, body: MovingBody, t: float) -> tuple[float, float]:
@@ -65,17 +65,19 @@ class MovingBodies:
         )
         return x, y
 
-    def _release(self, uid: int, robot: int) -> None:
-        """Let a body pass through the robot that it has caught, and collide again once apart."""
-        points = pybullet.getClosestPoints(robot, uid, 0.0, physicsClientId=self._client)
-        overlap = max((-point[8] for point in points), default=0.0)
-        passing = uid in self._passing
-        if passing and overlap <= 0.0:
-            self._passing.remove(uid)
-            self._collide(uid, robot, True)
-        elif not passing and overlap > CAUGHT:
-            self._passing.add(uid)
-            self._collide(uid, robot, False)
+    def _release(self, robot: int) -> None:
+        """Let bodies pass through a robot that they have caught, and collide again once apart."""
+        contacts = pybullet.getContactPoints(robot, physicsClientId=self._client)
+        caught = any(-contact[8] > CAUGHT for contact in contacts)
+        touching = {contact[2] for contact in contacts}
+        for uid in [body.uid for body in self._bodies]:
+            if uid in self._passing:
+                if not pybullet.getClosestPoints(robot, uid, 0.0, physicsClientId=self._client):
+                    self._passing.remove(uid)
+                    self._collide(uid, robot, True)
+            elif caught and uid in touching:
+                self._passing.add(uid)
+                self._collide(uid, robot, False)
 
     def _collide(self, uid: int, robot: int, collide: bool) -> None:
         links = pybullet.getNumJoints(robot, physicsClientId=self._client)

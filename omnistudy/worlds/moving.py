@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 from math import ceil, dist
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,11 +17,11 @@ from omnistudy.worlds.route import Route
 from omnistudy.worlds.way import sampled
 from omnistudy.worlds.world import World
 
-APART = 0.05
+APART = 0.02
 """Distance in m between two places at which a moving body is looked at."""
 
 EVERY = 5
-"""Of the points of a way, each so many is looked at: again 5 cm."""
+"""Of the points of a way, each so many is looked at: every 5 cm."""
 
 ROUNDING = 0.01
 """Depth in m up to which a body that slides along a wall does not go through it."""
@@ -52,30 +53,17 @@ def in_reach(sweep: Sweep, points: Points, radius: float) -> NDArray[np.bool_]:
 def crossings(route: Route, swept: tuple[Sweep, ...], width: float) -> Iterator[str]:
     """Say where and for how long each body is in a route's way, if it is not for good."""
     for sweep in swept:
-        for target, points, near in _met(route, sweep, width):
-            if near.any() and not _for_good(sweep, near):
-                closed = float(sweep.durations[near.any(axis=0)].sum())
-                x, y = points[int((near @ sweep.durations).argmax())]
-                yield (
-                    f"route '{route.name}', leg to '{target}', at ({x:.2f}, {y:.2f}): "
-                    f"'{sweep.body.name}' is in the way for {closed:.1f} s of "
-                    f"{_whole(sweep)}"
-                )
+        for met in _meetings(route, sweep, width):
+            if not met.for_good:
+                yield f"{met.where} is in the way for {met.closed:.1f} s of {_whole(sweep)}"
 
 
 def closures(route: Route, swept: tuple[Sweep, ...], width: float) -> Iterator[str]:
     """Say where a body closes a route for good."""
     for sweep in swept:
-        for target, points, near in _met(route, sweep, width):
-            if _for_good(sweep, near):
-                worst = int((near @ sweep.durations).argmax())
-                if not _repeats(sweep):
-                    worst = int(near[:, -1].argmax())
-                x, y = points[worst]
-                yield (
-                    f"route '{route.name}', leg to '{target}', at ({x:.2f}, {y:.2f}): "
-                    f"'{sweep.body.name}' never leaves the way"
-                )
+        for met in _meetings(route, sweep, width):
+            if met.for_good:
+                yield f"{met.where} never leaves the way"
 
 
 def through_walls(swept: tuple[Sweep, ...], walls: Obstacles) -> Iterator[str]:
@@ -88,17 +76,29 @@ def through_walls(swept: tuple[Sweep, ...], walls: Obstacles) -> Iterator[str]:
             yield f"'{sweep.body.name}' moves through wall '{walls.names[index]}'"
 
 
-def _met(
-    route: Route, sweep: Sweep, width: float
-) -> Iterator[tuple[str, Points, NDArray[np.bool_]]]:
+class _Meeting(NamedTuple):
+    """Where a body is in the way of a leg, for how many s, and whether for good."""
+
+    where: str
+    closed: float
+    for_good: bool
+
+
+def _meetings(route: Route, sweep: Sweep, width: float) -> Iterator[_Meeting]:
     for leg in route.legs:
         points = sampled(leg)[::EVERY]
-        yield leg.target, points, in_reach(sweep, points, width / 2)
-
-
-def _for_good(sweep: Sweep, near: NDArray[np.bool_]) -> bool:
-    """Tell whether a point is never free, or not any more once the body has arrived."""
-    return bool(near.all(axis=1).any() or (not _repeats(sweep) and near[:, -1].any()))
+        distances = sweep.places.distances(points)
+        near = distances <= width / 2
+        if near.any():
+            always = near.all(axis=1).any()
+            stays = not _repeats(sweep) and near[:, -1].any()
+            x, y = points[int(distances.min(axis=1).argmin())]
+            yield _Meeting(
+                f"route '{route.name}', leg to '{leg.target}', at ({x:.2f}, {y:.2f}): "
+                f"'{sweep.body.name}'",
+                float(sweep.durations[near.any(axis=0)].sum()),
+                bool(always or stays),
+            )
 
 
 def _repeats(sweep: Sweep) -> bool:
@@ -115,14 +115,17 @@ def _sweep(body: Body) -> Sweep:
     track = body.track
     assert track is not None
     places, durations = [], []
-    stops = zip(track.times, track.places, strict=True)
-    for (begin, a), (end, b) in pairwise(stops):
+    for (begin, a), (end, b) in pairwise(zip(track.times, track.places, strict=True)):
         count = ceil(dist(a, b) / APART) + 1
-        shares = np.linspace(0.0, 1.0, count) if count > 1 else np.zeros(1)
-        places += [(a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])) for s in shares.tolist()]
-        durations += [(end - begin) / count] * count
-    still = [
-        body.model_copy(update={"x": x, "y": y, "motion": None, "name": body.name})
-        for x, y in places
-    ]
-    return Sweep(body, obstacles(still), np.array(durations))
+        places.append(np.linspace(a, b, count))
+        durations.append(np.full(count, (end - begin) / count))
+    centres = np.concatenate(places)
+    plan = obstacles([body.model_copy(update={"motion": None})])
+    repeated = Obstacles(
+        plan.names * len(centres),
+        centres,
+        np.repeat(plan.along, len(centres), axis=0),
+        np.repeat(plan.halves, len(centres), axis=0),
+        np.repeat(plan.radii, len(centres)),
+    )
+    return Sweep(body, repeated, np.concatenate(durations))

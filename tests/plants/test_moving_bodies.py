@@ -41,8 +41,8 @@ class Seen(NamedTuple):
     touched: set[str]
 
 
-def driven(scene: Scene, command: PlanarTwist, seconds: float) -> Seen:
-    running = Youbot().build(scene, ORIGIN, HZ, "seed")
+def driven(scene: Scene, command: PlanarTwist, seconds: float, start: PlanarPose = ORIGIN) -> Seen:
+    running = Youbot().build(scene, start, HZ, "seed")
     assert isinstance(running, RunningMecanum)
     uid = next(uid for uid, name in running._scene.walls.items() if name == "cart")
     client = running._client
@@ -99,6 +99,21 @@ def test_a_body_passes_through_a_robot_that_it_has_caught_against_a_wall() -> No
     assert seen.robot[-1][:2] == pytest.approx((0.0, -0.3 + 0.05 + 0.19), abs=0.0005)
     fastest = float(np.abs(np.diff(np.array(seen.robot), axis=0)[:, :2]).max()) * HZ
     assert fastest == pytest.approx(0.3, abs=0.001)
+
+
+def test_a_robot_is_not_pressed_into_the_wall_behind_it() -> None:
+    # Askew and off its middle, the robot takes the push on one corner and the wall on another.
+    crate = cart(0.1, 1.0, (0.1, -1.0)).model_copy(update={"geometry": Box(x=0.5, y=0.7, z=1.0)})
+    scene = Scene(bodies=(crate, wall("w", (-3, -0.5), (3, -0.5))))
+    for theta in (0.2, 1.0, -0.4):
+        seen = driven(scene, STILL, 8.0, PlanarPose(0.0, 0.0, theta))
+        corners = [
+            pose.to_world(x, y)[1]
+            for pose in seen.robot
+            for x in (-0.29, 0.29)
+            for y in (-0.19, 0.19)
+        ]
+        assert min(corners) > -0.45 - 0.006, theta
 
 
 def test_a_body_that_passed_through_pushes_again_once_it_is_apart() -> None:
