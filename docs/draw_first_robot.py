@@ -90,23 +90,27 @@ def draw_boundaries(path: Path) -> None:
     with picture(path, replace=True) as figure:
         figure.set_size_inches(8.0, 3.6)
         plan, pressed = figure.subplots(1, 2)
-        _closed_line(plan, outline, angles, "#343a40", "robot")
+        _closed_line(plan, outline, angles, "#343a40")
+        plan.text(0.0, 0.0, "robot", ha="center", va="center", fontsize=9)
         for field in fields()[3:]:
             assert isinstance(field.law, SpringLaw)
-            _closed_line(plan, field.law.boundary, angles, field.colour, field.name)
+            _closed_line(plan, field.law.boundary, angles, field.colour)
             pressed.plot(
-                np.degrees(angles), depth(field.law.boundary, outline, angles), color=field.colour
+                np.degrees(angles),
+                depth(field.law.boundary, outline, angles),
+                color=field.colour,
+                label=field.name,
             )
-        plan.set(aspect="equal", ylim=(-0.48, 0.58), xlabel="x in m, ahead", ylabel="y in m, left")
-        plan.legend(fontsize=7, frameon=False, loc="upper center", ncols=3)
+        plan.set(aspect="equal", xlabel="x in m, ahead", ylabel="y in m, left")
+        pressed.legend(fontsize=8, frameon=False, loc="lower center")
         pressed.set(xlabel="direction in degrees from ahead", ylabel="depth in m", ylim=(0, 0.22))
         pressed.set_title(f"a post {CLEARANCE:g} m off the outline", fontsize=9)
         pressed.set_xticks([-180, -90, 0, 90, 180])
 
 
-def _closed_line(axes: Axes, boundary: Boundary, angles: Floats, colour: str, name: str) -> None:
+def _closed_line(axes: Axes, boundary: Boundary, angles: Floats, colour: str) -> None:
     reach = boundary.reach(angles)
-    axes.plot(reach * np.cos(angles), reach * np.sin(angles), color=colour, label=name)
+    axes.plot(reach * np.cos(angles), reach * np.sin(angles), color=colour)
 
 
 def draw_driven(driven: dict[str, list[Rehearsed]], path: Path) -> None:
