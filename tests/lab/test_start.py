@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import ast
 from pathlib import Path
 
 import pytest
+import yaml
+from hypothesis import given
+from hypothesis import strategies as st
 
 from omnistudy.errors import NoLabFolder
-from omnistudy.errors.lab import FileInTheWay, LabNotWritten, TakenName
+from omnistudy.errors.lab import BadName, FileInTheWay, LabNotWritten, TakenName
 from omnistudy.lab import NOUNS, default_folder, next_steps, plan_start, write_start
 
 WRITTEN = {
@@ -49,6 +53,20 @@ def test_a_plan_names_every_file_and_writes_none(lab: Path, noun: str) -> None:
     started = plan_start(noun, "grip", lab)
     assert [str(file.path.relative_to(lab)) for file in started.files] == WRITTEN[noun]
     assert not lab.exists()
+
+
+@given(st.sampled_from(NOUNS), st.from_regex(r"[a-z][a-z0-9_]{0,59}", fullmatch=True))
+def test_any_name_gives_python_that_parses_and_pages_that_say_it(noun: str, name: str) -> None:
+    try:
+        started = plan_start(noun, name, Path("nowhere") / "lab")
+    except (BadName, TakenName):
+        return
+    for path, text, _ in started.files:
+        if path.suffix == ".py":
+            ast.parse(text)
+        elif path.suffix == ".yaml":
+            page = yaml.safe_load(text)
+            assert page["kind" if noun in {"law", "controller"} else "name"] == name
 
 
 @pytest.mark.parametrize("noun", NOUNS)
