@@ -37,6 +37,10 @@ def protocol_names() -> list[str]:
 StudyArgument = Annotated[
     str, typer.Argument(help="A study's name or the path of its .db.", autocompletion=study_names)
 ]
+ParticipantArgument = Annotated[
+    str,
+    typer.Argument(help="Code of a participant, such as P01.", autocompletion=participant_codes),
+]
 ProtocolArgument = Annotated[
     str,
     typer.Argument(help="A protocol's name or its YAML file.", autocompletion=protocol_names),

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Annotated
-
 import typer
 
-from omnistudy.cli.arguments import AsJson, StudyArgument, participant_codes
+from omnistudy.cli.arguments import AsJson, ParticipantArgument, StudyArgument
 from omnistudy.cli.output import print_json, print_line, print_table
 
 app = typer.Typer(no_args_is_help=True, help="Participants of a study.")
@@ -38,12 +36,7 @@ def list_(
 @app.command()
 def show(
     study: StudyArgument,
-    participant: Annotated[
-        str,
-        typer.Argument(
-            help="Code of a participant, such as P01.", autocompletion=participant_codes
-        ),
-    ],
+    participant: ParticipantArgument,
     json: AsJson = False,
 ) -> None:
     """Show a participant and what became of each trial.
