@@ -116,9 +116,10 @@ def _sweep(body: Body) -> Sweep:
     assert track is not None
     places, durations = [], []
     for (begin, a), (end, b) in pairwise(zip(track.times, track.places, strict=True)):
-        count = ceil(dist(a, b) / APART) + 1
-        places.append(np.linspace(a, b, count))
-        durations.append(np.full(count, (end - begin) / count))
+        count = max(1, ceil(dist(a, b) / APART))
+        shares = np.append((np.arange(count) + 0.5) / count, 1.0)
+        places.append(np.outer(1.0 - shares, a) + np.outer(shares, b))
+        durations.append(np.append(np.full(count, (end - begin) / count), 0.0))
     centres = np.concatenate(places)
     plan = obstacles([body.model_copy(update={"motion": None})])
     repeated = Obstacles(

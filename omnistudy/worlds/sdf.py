@@ -1,9 +1,9 @@
-"""Worlds of Gazebo (SDF): boxes, cylinders and planes, with a start, a goal and a way."""
+"""Worlds of Gazebo (SDF): boxes, cylinders, planes and actors, with a start, goal and way."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from math import isfinite, radians
+from math import radians
 from pathlib import Path
 from typing import NamedTuple
 from xml.etree import ElementTree
@@ -15,6 +15,8 @@ from omnistudy.geometry import PlanarPose
 from omnistudy.scene import Body, Box, Cylinder
 from omnistudy.worlds.goal import goal_block, way_to
 from omnistudy.worlds.route import Point
+from omnistudy.worlds.sdf_actor import actors
+from omnistudy.worlds.sdf_numbers import numbers
 from omnistudy.worlds.world import Start, World
 
 TILT = 1e-3
@@ -53,6 +55,7 @@ def import_sdf(
     bodies = [
         body for model in world.findall("model") for body in _model(file, model, FLOOR, left_out)
     ]
+    bodies += actors(file, world, left_out)
     title = f"{name or file.stem}, imported from {file.name}"
     try:
         made = World(
@@ -125,7 +128,7 @@ def _is_floor(file: Path, name: str, shape: ElementTree.Element) -> bool:
     if shape.tag != "plane":
         return False
     text = shape.findtext("normal", "0 0 1")
-    x, y, z = _numbers(file, f"the plane of model '{name}'", text, 3)
+    x, y, z = numbers(file, f"the plane of model '{name}'", text, 3)
     return z > 0.0 and max(abs(x), abs(y)) <= TILT * z
 
 
@@ -141,7 +144,7 @@ def _placed(file: Path, name: str, element: ElementTree.Element, parent: Placed)
     text = pose.text or ""
     if not text.strip():
         return parent
-    x, y, z, *turns = _numbers(file, f"the pose of model '{name}'", text, 6)
+    x, y, z, *turns = numbers(file, f"the pose of model '{name}'", text, 6)
     if pose.get("degrees") in ("true", "1"):
         turns = [radians(turn) for turn in turns]
     roll, pitch, yaw = turns
@@ -156,25 +159,12 @@ def _geometry(file: Path, name: str, shape: ElementTree.Element) -> Box | Cylind
         return None
     try:
         if shape.tag == "box":
-            x, y, z = _numbers(file, f"the box of model '{name}'", shape.findtext("size", ""), 3)
+            x, y, z = numbers(file, f"the box of model '{name}'", shape.findtext("size", ""), 3)
             return Box(x=x, y=y, z=z)
         radius, length = (
-            _numbers(file, f"the {part} of model '{name}'", shape.findtext(part, ""), 1)[0]
+            numbers(file, f"the {part} of model '{name}'", shape.findtext(part, ""), 1)[0]
             for part in ("radius", "length")
         )
         return Cylinder(radius=radius, length=length)
     except ValidationError:
         raise BrokenSdf(file, f"the {shape.tag} of model '{name}' has no size") from None
-
-
-def _numbers(file: Path, what: str, text: str, count: int) -> list[float]:
-    parts = text.split()
-    try:
-        numbers = [float(part) for part in parts]
-    except ValueError:
-        raise BrokenSdf(file, f"{what} is '{text.strip()}', not numbers") from None
-    if not all(isfinite(number) for number in numbers):
-        raise BrokenSdf(file, f"{what} is '{text.strip()}', not finite numbers")
-    if len(numbers) != count:
-        raise BrokenSdf(file, f"{what} is '{text.strip()}', where {count} numbers are needed")
-    return numbers
