@@ -52,8 +52,11 @@ def draw_field(laws: Sequence[Law], path: Path, replace: bool = False) -> None:
     """
     with picture(path, replace) as figure:
         answers = [[tuple(_ask(law, scene)) for scene in STANDARD_SCENES] for law in laws]
-        largest = max(abs(asked.found.tau) for law in answers for scene in law for asked in scene)
-        shade = _shade(largest or 1.0, several=len(laws) > 1)
+        largest = (
+            max(abs(asked.found.tau) for law in answers for scene in law for asked in scene) or 1.0
+        )
+        several = len(laws) > 1
+        shade = _shade(largest, several)
         panels = _panels(figure, laws)
         for law, row, scenes in zip(laws, panels, answers, strict=True):
             for axes, scene, asked in zip(row, STANDARD_SCENES, scenes, strict=True):
@@ -62,11 +65,11 @@ def draw_field(laws: Sequence[Law], path: Path, replace: bool = False) -> None:
         axes.quiverkey(
             arrows, 0.84, low, 10.0, "10 N", labelpos="E", coordinates="figure", color=INK
         )
-        bar = figure.colorbar(arrows, ax=figure.axes, shrink=0.75, aspect=30)
-        if len(laws) > 1:
-            bar.set_ticks([part * (shade.vmax or 1.0) for part in TICKS], minor=False)
-            bar.minorticks_off()
-            bar.ax.yaxis.set_major_formatter("{x:.2g}")
+        ticks = [part * largest for part in TICKS] if several else None
+        bar = figure.colorbar(
+            arrows, ax=figure.axes, shrink=0.75, aspect=30, ticks=ticks, format="{x:.3g}"
+        )
+        bar.minorticks_off()
         bar.set_label("torque in N·m: purple turns counter-clockwise, red clockwise")
 
 
