@@ -43,6 +43,14 @@ def test_there_and_back_with_a_pause_at_either_end() -> None:
     assert track.at(13.0) == track.at(3.0)
 
 
+def test_there_and_back_comes_back_the_way_it_went() -> None:
+    # Two sides of a 3-4-5 triangle, 7 m at 1 m/s, and the same two back.
+    track = Patrol(waypoints=((3.0, 0.0), (3.0, 4.0)), speed=1.0).track((0.0, 0.0))
+    assert track.period == 14.0
+    assert track.at(9.0) == (3.0, 2.0, 0.0, -1.0)
+    assert track.at(12.5) == (1.5, 0.0, -1.0, 0.0)
+
+
 def test_a_round_goes_straight_home_and_waits_there_alone() -> None:
     # Along two sides of a 3-4-5 triangle and back along the long one: 12 m at 1 m/s.
     track = Patrol(waypoints=((3.0, 0.0), (3.0, 4.0)), speed=1.0, course="round", pause=2.0).track(

@@ -60,6 +60,12 @@ def test_negate_makes_white_occupied(tmp_path: Path) -> None:
     assert cells(page(tmp_path, negate=True)) == [0, 0, -1, -1, 100, 100]
 
 
+def test_a_cell_at_a_threshold_is_neither_free_nor_occupied(tmp_path: Path) -> None:
+    saved(tmp_path, [50, 51, 153, 154])  # 51 is exactly 0.2, 153 exactly 0.6
+    file = page(tmp_path, negate=1, free_thresh=0.2, occupied_thresh=0.6)
+    assert cells(file) == [0, -1, -1, 100]
+
+
 def test_scale_grades_what_is_between_the_thresholds(tmp_path: Path) -> None:
     saved(tmp_path, [0, 51, 127, 128, 204, 255])
     # With thresholds 0.2 and 0.8: 51 is 0.8 and full; 127 is 0.50196 -> 50.33; 128 is 0.49804 ->
