@@ -43,6 +43,7 @@ BIG = 0.1
 """A change of more than this part of the force beside the wall is counted."""
 
 FAULTLESS = InfraredRing(noise=0.0, interference=0.0, cutoff=1e6)
+FAULTLESS_DRIVEN = "six_rays, faultless"
 RATES_FROM_RANGES = InfraredRing(rates_from="ranges")
 UNSTEADY_FROM = 5.0
 """Hz: faster than anybody steers (the thesis's own band for steering ends at 2 Hz)."""
@@ -224,10 +225,13 @@ def _power(signal: Floats, hz: float) -> tuple[float, float]:
 
 
 def drive() -> dict[str, list[Rehearsed]]:
-    """Let every participant of the protocol drive once in each condition."""
+    """Let every participant drive once in each condition, and once with faultless sensors."""
     protocol = _protocol()
-    driven: dict[str, list[Rehearsed]] = {name: [] for name in CONDITIONS}
+    sensors = FAULTLESS.model_dump(exclude_unset=True) | {"kind": FAULTLESS.kind}
+    faultless = compose_protocol(PROTOCOL, [f"+plant.sensors.{k}={v}" for k, v in sensors.items()])
+    driven: dict[str, list[Rehearsed]] = {name: [] for name in (FAULTLESS_DRIVEN, *CONDITIONS)}
     for slot in range(protocol.participants.count):
+        driven[FAULTLESS_DRIVEN].extend(rehearse(faultless, CONDITIONS[:1], slot))
         for one in rehearse(protocol, CONDITIONS, slot):
             driven[one.condition].append(one)
     return driven
@@ -250,7 +254,7 @@ def driven_table(driven: dict[str, list[Rehearsed]]) -> list[str]:
         found = [steadiness(one, hz) for one in trials]
         fast = [100 * one.unsteady for one in found]
         rows.append(
-            f"| `{name}` | {np.mean([one.rms for one in found]):.2f} N | {np.mean(fast):.2f} % "
+            f"| {name} | {np.mean([one.rms for one in found]):.2f} N | {np.mean(fast):.2f} % "
             f"({min(fast):.2f} to {max(fast):.2f}) | "
             f"{100 * np.mean([one.felt for one in found]):.0f} % | "
             f"{np.mean([one.stick for one in found]):.2f} mm | "
