@@ -53,7 +53,7 @@ class Boundary(KindModel, ABC):
         detection, nor is anything on a ray that starts outside the boundary.
         """
         angles = np.asarray(scan.angles, np.float64).tobytes()
-        starts = None if scan.origins is None else scan.origins.tobytes()
+        starts = None if scan.origins is None else np.asarray(scan.origins, np.float64).tobytes()
         reach, limit = _limits(self, angles, starts, scan.max_range)
         rays = np.flatnonzero((scan.ranges < limit) & (scan.ranges > 0.0))
         if rays.size == 0:

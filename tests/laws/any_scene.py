@@ -37,6 +37,16 @@ def scans(draw: st.DrawFn) -> Scan:
     )
 
 
+@st.composite
+def scans_from_around(draw: st.DrawFn) -> Scan:
+    """Any scene, seen by sensors round the robot that tell how fast their ranges grow."""
+    near, rate = st.floats(-0.35, 0.35), st.floats(-0.5, 0.5)
+    rays = np.array(
+        draw(st.lists(st.tuples(angles, st.floats(0.02, 0.7), near, near, rate), max_size=8)),
+    ).reshape(-1, 5)
+    return Scan(rays[:, 0], rays[:, 1], MAX_RANGE, rays[:, 2:4], rays[:, 4])
+
+
 def reach(angle: float) -> float:
     """Give how far the published rectangle lies from the centre, in m."""
     ahead = 0.44 / abs(cos(angle))

@@ -16,7 +16,9 @@ from laws.any_scene import reach, scans
 from laws.straight_walls import few_rays, scan_of
 
 from omnistudy.geometry import PlanarTwist, Scan
+from omnistudy.laws.boundary import CircularBoundary
 from omnistudy.laws.component import ComponentLaw
+from omnistudy.laws.zero_torque import ZeroTorqueLaw
 
 STILL = PlanarTwist(0.0, 0.0, 0.0)
 NEWTONS = 13.5 / 255
@@ -79,6 +81,16 @@ def test_a_wall_beside_the_front_turns_away_from_it() -> None:
     assert wrench.fx == pytest.approx(-37.5 * 4.5 / 2 * NEWTONS)
     assert wrench.fy == pytest.approx(-24 * (6 + 6) / 2 * NEWTONS)
     assert wrench.tau == pytest.approx(-315 * 6 * 0.1875 / 2 * NEWTON_METRES)
+
+
+@pytest.mark.parametrize(("law", "turns"), [(ComponentLaw, True), (ZeroTorqueLaw, False)])
+def test_over_a_circle(law: type[ComponentLaw] | type[ZeroTorqueLaw], turns: bool) -> None:
+    # 0.40 m dead ahead: 10 cm inside 0.50 m. At (0.24, 0.32), 0.40 m off: 10 cm, of which 6 and 8.
+    scan = few_rays([(AHEAD, 0.40), ((0.6, 0.8), 0.40)])
+    wrench = law(boundary=CircularBoundary()).wrench(scan, STILL)
+    assert wrench.fx == pytest.approx(-37.5 * (10 + 6) / 2 * NEWTONS)
+    assert wrench.fy == pytest.approx(-24 * 8 / 2 * NEWTONS)
+    assert wrench.tau == pytest.approx(-315 * 8 * 0.24 / 2 * NEWTON_METRES if turns else 0.0)
 
 
 def test_the_check_scene() -> None:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from laws.any_scene import gradients, scans, sticks, twists
+from laws.any_scene import gradients, scans, scans_from_around, sticks, twists
 from laws.straight_walls import RAYS
 from numpy.typing import NDArray
 
@@ -121,6 +121,16 @@ def assert_changed(after: ForceField, before: ForceField, change: NDArray[np.flo
 @sometimes
 @given(sensed=st.builds(Sensed, scans(), twists, gradients, sticks, sticks))
 def test_what_is_mirrored_is_felt_mirrored(law: Law, sensed: Sensed) -> None:
+    mirrored = changed(sensed, sensed.scan.mirrored(), MIRROR)
+    assert_changed(law.field(mirrored), law.field(sensed), MIRROR)
+
+
+@each(LAWS | MOVED)
+@sometimes
+@given(sensed=st.builds(Sensed, scans_from_around(), twists, gradients, sticks, sticks))
+def test_what_sensors_round_the_robot_see_mirrored_is_felt_mirrored(
+    law: Law, sensed: Sensed
+) -> None:
     mirrored = changed(sensed, sensed.scan.mirrored(), MIRROR)
     assert_changed(law.field(mirrored), law.field(sensed), MIRROR)
 
