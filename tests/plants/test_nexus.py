@@ -15,6 +15,7 @@ from omnistudy.channel import SAMPLE_COLUMNS
 from omnistudy.errors.plants import StartsInWall
 from omnistudy.geometry import PlanarPose, PlanarTwist
 from omnistudy.laws.infrared import InfraredLaw
+from omnistudy.plants.infrared_ring import InfraredRing
 from omnistudy.plants.lidar import Lidar
 from omnistudy.plants.nexus import LidarAtCentre, Nexus
 from omnistudy.plants.youbot import Youbot
@@ -140,8 +141,16 @@ def test_its_lidar_is_that_of_the_youbot() -> None:
 
 @pytest.mark.parametrize(
     ("given", "said"),
-    [({"kind": "lidr"}, "infrared_ring"), ({}, "kind"), ({"kind": "lidar", "noise": 1}, "noise")],
+    [
+        ({"kind": "lidr"}, "infrared_ring"),
+        ({"kind": "lidar", "noise": 1}, "noise"),
+        ({"rays": 64}, "rays"),
+    ],
 )
 def test_unknown_sensors_are_refused(given: dict[str, object], said: str) -> None:
     with pytest.raises(ValidationError, match=said):
         Nexus.model_validate({"sensors": given})
+
+
+def test_sensors_without_a_kind_are_the_ring() -> None:
+    assert Nexus.model_validate({"sensors": {"noise": 0.0}}).sensors == InfraredRing(noise=0.0)
