@@ -16,6 +16,7 @@ from omnistudy.errors.sweep import LauncherFailed
 from omnistudy.registry.conf import LAB_VARIABLE
 from omnistudy.session.sweep.job import run_job
 from omnistudy.session.sweep.launchers import Launcher
+from omnistudy.session.sweep.variables import quoted
 
 FULL_ERROR = "HYDRA_FULL_ERROR"
 """Environment variable without which Hydra prints a trace and exits instead of raising."""
@@ -34,13 +35,13 @@ def launch(
         "--multirun",
         f"hydra/launcher={launcher.name}",
         *settings,
-        f"hydra.sweep.dir={_quoted(str(folder.resolve() / 'hydra'))}",
+        f"hydra.sweep.dir={quoted(str(folder.resolve() / 'hydra'))}",
         "hydra.sweep.subdir=.",
         "hydra.output_subdir=null",
         "hydra/job_logging=disabled",
         "hydra/hydra_logging=disabled",
         *_environment(),
-        f"+folder={_quoted(str(folder.resolve()))}",
+        f"+folder={quoted(str(folder.resolve()))}",
         f"+points=choice({lists})",
     ]
     entry: Any = hydra.main(config_path=None, version_base="1.3")(run_job)
@@ -52,16 +53,10 @@ def launch(
             raise LauncherFailed(launcher.name, reason) from cause
 
 
-def _quoted(text: str) -> str:
-    """Quote a path for Hydra's grammar."""
-    escaped = text.replace("\\", "\\\\").replace("'", "\\'")
-    return f"'{escaped}'"
-
-
 def _environment() -> tuple[str, ...]:
     """Hand the lab's folder to workers that do not inherit the environment."""
     lab = os.environ.get(LAB_VARIABLE)
-    return (f"+hydra.job.env_set.{LAB_VARIABLE}={_quoted(lab)}",) if lab else ()
+    return (f"+hydra.job.env_set.{LAB_VARIABLE}={quoted(lab)}",) if lab else ()
 
 
 @contextmanager
