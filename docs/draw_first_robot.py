@@ -21,6 +21,7 @@ from first_robot import (
     forces,
     jumps,
     pass_corner,
+    sensors_table,
 )
 
 from omnistudy.laws.boundary import Boundary, RectangularBoundary
@@ -133,7 +134,8 @@ def main() -> None:
     draw_corner(IMAGES / "first_robot_corner.png")
     draw_boundaries(IMAGES / "first_robot_boundaries.png")
     driven = drive()
-    print("\n".join(driven_table(driven)))
+    print("\n".join(driven_table(driven)), end="\n\n")
+    print("\n".join(sensors_table()))
     draw_driven(driven, IMAGES / "first_robot_driven.png")
 
 
