@@ -119,6 +119,13 @@ def test_rows_are_dealt_out_in_another_order_from_seed_to_seed() -> None:
     assert len(dealt) == 20
 
 
+def test_every_run_of_seats_meets_the_rows_in_another_order() -> None:
+    lines = rows(Latin(), 6, 60, "seed")
+    runs = [tuple(lines[start : start + 6]) for start in range(0, 60, 6)]
+    assert len(set(runs)) == 10
+    assert len({frozenset(run) for run in runs}) == 1
+
+
 @given(st.integers(1, 12), st.integers(1, 5), st.integers(0, 30), st.text())
 def test_every_permuted_block_holds_every_condition_once(
     size: int, blocks: int, row: int, seed: str
