@@ -124,7 +124,7 @@ def draw_driven(driven: dict[str, list[Rehearsed]], path: Path) -> None:
             t, force = force_of(driven[name][0])
             axes.plot(t, np.hypot(*force.T), color=colour, linewidth=0.8)
             axes.set(ylabel="force in N")
-            axes.set_title(NAMES[name], fontsize=9, loc="left")
+            axes.set_title(f"{NAMES[name]} (virtual participant)", fontsize=9, loc="left")
         panels[-1].set_xlabel("s since the trial opened")
 
 
