@@ -26,9 +26,9 @@ def test_every_point_is_in_one_job_in_order(
 
 
 def test_short_points_share_a_job_until_the_overhead_is_small() -> None:
-    """At 4 % a tenth of a second is paid by two and a half seconds of trials."""
+    """At 4 % a fifth of a second is paid by five seconds of trials."""
     jobs = cut(range(500), LAUNCHERS["joblib"], 2, 0.5)
-    assert {len(job) for job in jobs} == {5}
+    assert {len(job) for job in jobs} == {10}
     assert {len(job) for job in cut(range(500), LAUNCHERS["joblib"], 2, 30.0)} == {1}
 
 
