@@ -8,6 +8,7 @@ from small_sweep import ARMS, GAINS, opened, question, rows_of, small_plan
 
 from omnistudy.errors.sweep import AnotherQuestion, BrokenSweep, JobsFailed
 from omnistudy.session.sweep.folder import SweepFolder
+from omnistudy.session.sweep.job import run_points
 from omnistudy.session.sweep.launchers import LAUNCHERS
 from omnistudy.session.sweep.planning import SweepPlan, plan_sweep
 from omnistudy.session.sweep.run import remaining, run_sweep
@@ -61,6 +62,13 @@ def test_hydra_writes_nothing_outside_the_sweeps_folder(
     assert {path.name for path in folder.path.iterdir()} == {
         "sweep.json", "results", "failed", "hydra",
     }  # fmt: skip
+    assert [path.name for path in (folder.path / "hydra").iterdir()] == ["multirun.yaml"]
+
+
+def test_a_point_that_another_job_finished_is_not_driven_again(unbroken: SweepFolder) -> None:
+    before = {path: path.stat().st_mtime_ns for path in unbroken.results.iterdir()}
+    run_points(unbroken, small_plan().sweep, list(small_plan().sweep.points))
+    assert {path: path.stat().st_mtime_ns for path in unbroken.results.iterdir()} == before
 
 
 def test_a_stopped_sweep_goes_on_and_comes_to_the_same(
