@@ -114,8 +114,7 @@ def plan_sweep(
     """
     asked = read_words(question.words, question.nuisance, question.design)
     search = _search(question, asked)
-    composer = _composer(question.protocol, asked)
-    base = composer.protocol({})
+    composer, base = _based(question.protocol, asked)
     if base.participants.kind != "virtual":
         raise HumanSweep(base.name)
     frozen = freeze(base)
@@ -180,24 +179,22 @@ def _points(
     return tuple(points)
 
 
-def _composer(protocol: str, asked: Asked) -> Composer:
-    """Give what composes points.
+def _based(protocol: str, asked: Asked) -> tuple[Composer, Protocol]:
+    """Give what composes points, and the base.
 
     The base has the protocol's own values, so that sweeps over other lists meet the same seeds; a
     page that leaves a swept key open, such as the file of a recording, has the first ones.
     """
     plain = Composer(protocol, asked.overrides)
     try:
-        plain.protocol({})
-    except ProtocolFaults:
+        return plain, plain.protocol({})
+    except ProtocolFaults as fault:
         firsts = [override_text(one.variable.key, one.ends[0]) for one in asked.swept]
         filled = Composer(protocol, (*asked.overrides, *firsts))
         try:
-            filled.protocol({})
+            return filled, filled.protocol({})
         except ProtocolFaults:
-            return plain
-        return filled
-    return plain
+            raise fault from None
 
 
 def _search(question: Question, asked: Asked) -> Search | None:
