@@ -42,12 +42,10 @@ def figures() -> dict[str, object]:
     places = range(len(sweep.points))
     _driven(sweep)
     trials = _driven(sweep)
-    each = _launched(sweep, "basic", 1, [(place,) for place in places]).processor_s
+    alone = [(place,) for place in places]
+    each = _launched(sweep, "basic", 1, alone).processor_s
     jobs = cut(places, LAUNCHERS["basic"], 1, trials / len(places))
-    one, two = (
-        _launched(sweep, "joblib", workers, cut(places, LAUNCHERS["joblib"], workers, 1.0)).wall_s
-        for workers in (1, 2)
-    )
+    one, two = (_launched(sweep, "joblib", workers, alone).wall_s for workers in (1, 2))
     a_job = (each - trials) / len(places)
     return {
         "overhead_ms_a_job": round(a_job * 1000, 1),
