@@ -48,11 +48,11 @@ class ResolvedRateController(Controller):
     """Joints get dearer, or are pushed off, near their limits."""
     limit_memory: Literal["legacy", "kept"] = "kept"
     """`legacy` compares with a gradient already set to zero, and so chatters; as in 2009."""
-    limit_stop: Literal["off", "legacy", "one_sided"] = "one_sided"
+    limit_stop: Literal["none", "legacy", "one_sided"] = "one_sided"
     """`legacy` freezes a joint at its limit for ever, and the hand leaves its path."""
-    speed_limits: Literal["off", "legacy", "uniform"] = "uniform"
+    speed_limits: Literal["none", "legacy", "uniform"] = "uniform"
     """`legacy` clips each joint by itself, which bends the path; `uniform` slows all."""
-    zones: Literal["off", "legacy", "stop"] = "stop"
+    zones: Literal["none", "legacy", "stop"] = "stop"
     """`legacy` sends the joints back while the chair drives on; `stop` halts all."""
 
     @property
@@ -147,7 +147,7 @@ class ResolvedRateController(Controller):
     ) -> tuple[Solution, tuple[str, ...]]:
         """Solve; where a joint would pass its limit, solve again with it at rest."""
         solution = self.solve(problem, self._damping)
-        if self.limit_stop == "off":
+        if self.limit_stop == "none":
             return solution, ()
         body, joints = configuration.body, configuration.joints
         if self.limit_stop == "legacy":
@@ -173,9 +173,9 @@ class ResolvedRateController(Controller):
     ) -> tuple[Floats, tuple[str, ...]]:
         """Apply the speed limits and the zones."""
         hits: tuple[str, ...] = ()
-        if self.speed_limits != "off":
+        if self.speed_limits != "none":
             rates, hits = self._slowed(rates, configuration.body)
-        if self.zones == "off" or self.moves == "chair":
+        if self.zones == "none" or self.moves == "chair":
             return rates, hits
         ahead = configuration.moved(rates, dt).intrusions
         if not ahead.names:

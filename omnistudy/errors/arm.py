@@ -44,3 +44,43 @@ class BadGuidance(OmnistudyError):
             f"an arm was led by {given} numbers: give 6 (the hand's twist), 7 (and the bearing of "
             "its path) or 10 (and x, y, theta of the chair's goal)"
         )
+
+
+class ImpossibleStart(OmnistudyError):
+    """A task that starts where its arm cannot be."""
+
+    def __init__(self, fault: str) -> None:
+        super().__init__(f"the task cannot start: {fault}; mend 'start.joints' on its page")
+
+
+class ImpossibleTask(OmnistudyError):
+    """A task that no chair pose makes possible."""
+
+    def __init__(self, motion: str, answer: str) -> None:
+        super().__init__(
+            f"motion '{motion}' is refused before anything moves: {answer}; move its goal, or run "
+            "it anyway with --unchecked"
+        )
+
+
+class BrokenRun(OmnistudyError):
+    """A file that does not hold a run of an arm."""
+
+    def __init__(self, file: Path, fault: str) -> None:
+        super().__init__(f"{file}: {fault}; give what `omnistudy arm solve` wrote")
+
+
+class RunExists(OmnistudyError):
+    """A file that a run or a URDF would overwrite."""
+
+    def __init__(self, file: Path) -> None:
+        super().__init__(f"{file} exists already: give another name, or --force to replace it")
+
+
+class RunNotWritten(OmnistudyError):
+    """A file that the system does not let be written."""
+
+    def __init__(self, file: Path, reason: str) -> None:
+        super().__init__(
+            f"{file} cannot be written ({reason}): give a file in a folder that exists"
+        )

@@ -1,0 +1,167 @@
+"""From where on the floor the hand can be brought to a pose, and how far the chair must go for it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import degrees, hypot, pi
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from omnistudy.arm.configuration import Configuration
+from omnistudy.geometry import PlanarPose, wrapped
+from omnistudy.geometry.rigid_motion import pose_error
+
+Floats = NDArray[np.float64]
+
+NEAR_ENOUGH = (1e-5, 1e-4)
+"""m and rad within which a pose counts as reached."""
+
+RADIAN = 0.5
+"""m that a radian counts as, of the hand and of the chair."""
+
+HEADINGS = (0.0, pi / 4, -pi / 4, pi / 2, -pi / 2, 3 * pi / 4, -3 * pi / 4, pi)
+"""Turns of the chair from where it stands with which the search begins, rad."""
+
+SEARCH_STEPS = 100
+FURTHEST_STEP = 0.3
+"""Of the search: most that a joint (rad) or the chair (m, rad) changes at once."""
+
+SETTLED = 1e-6
+"""Change (rad, m) of a step below which the search is over."""
+
+MARGIN = 0.02
+"""rad kept from the joints' limits."""
+
+
+class StandOff(NamedTuple):
+    """One answer: a chair pose with joints, and how well the hand is where it should be.
+
+    distance : of the chair from where it stands now, m. turn : of the chair, rad.
+    short : m, and rad, by which the hand misses its pose; both are about 0 when it is reached.
+    """
+
+    configuration: Configuration
+    distance: float
+    turn: float
+    short: tuple[float, float]
+
+    @property
+    def reached(self) -> bool:
+        """Whether the hand is where it should be."""
+        return self.short[0] <= NEAR_ENOUGH[0] and self.short[1] <= NEAR_ENOUGH[1]
+
+    @property
+    def cost(self) -> float:
+        """How far it is from here, in m."""
+        return self.distance + RADIAN * abs(self.turn)
+
+
+def nearest_stand_off(
+    now: Configuration, goal: Floats, *, may_drive: bool = True, free_of_zones: bool = True
+) -> StandOff:
+    """Give the nearest chair pose found from which the hand has its goal (4, 4), limits kept.
+
+    If there is none, give where the hand comes nearest. `may_drive` false leaves the chair where
+    it is. `free_of_zones` prefers answers that touch nothing. The chair is moved freely over the
+    floor here; how it gets there is another question.
+    """
+    found = [
+        _improved(begin, now.chair, goal, may_drive) for begin in _begins(now, goal, may_drive)
+    ]
+    reached = [answer for answer in found if answer.reached]
+    if not reached:
+        return min(found, key=lambda answer: answer.short[0] + RADIAN * answer.short[1])
+    clear = [a for a in reached if not a.configuration.intrusions.names] if free_of_zones else []
+    return min(clear or reached, key=lambda answer: answer.cost)
+
+
+def _begins(now: Configuration, goal: Floats, may_drive: bool) -> Iterator[Configuration]:
+    """Begin with several postures; with the chair below the goal at several headings too."""
+    body = now.body
+    ready = np.array(body.profile.ready)
+    mirrored = ready * np.array([1.0 if i % 2 else -1.0 for i in range(body.count)])
+    middle = 0.5 * (body.lower + body.upper)
+    postures = (now.joints, ready, mirrored, 0.5 * (ready + middle))
+    yield from (Configuration(body, joints, now.chair) for joints in postures)
+    if not may_drive:
+        return
+    for heading in HEADINGS:
+        for joints in postures:
+            turned = PlanarPose(now.chair.x, now.chair.y, now.chair.theta + heading)
+            hand = Configuration(body, joints, turned).hand
+            x, y = (goal[:2, 3] - hand[:2, 3]).tolist()
+            yield Configuration(body, joints, PlanarPose(turned.x + x, turned.y + y, turned.theta))
+
+
+def _improved(begin: Configuration, home: PlanarPose, goal: Floats, may_drive: bool) -> StandOff:
+    """Go down to the goal, and in what freedom is left towards where the chair stands now."""
+    at = begin
+    body = at.body
+    for _ in range(SEARCH_STEPS):
+        change = _change(at, home, goal, may_drive)
+        change /= max(1.0, float(np.abs(change).max()) / FURTHEST_STEP)
+        joints = np.clip(at.joints + change[: body.count], body.lower + MARGIN, body.upper - MARGIN)
+        x, y, turn = change[body.count :].tolist()
+        chair = PlanarPose(at.chair.x + x, at.chair.y + y, at.chair.theta + turn)
+        settled = float(np.abs(change).max()) < SETTLED
+        at = Configuration(body, joints, chair)
+        if settled:
+            break
+    error = pose_error(at.hand, goal)
+    return StandOff(
+        Configuration(body, at.joints, at.chair._replace(theta=wrapped(at.chair.theta))),
+        hypot(at.chair.x - home.x, at.chair.y - home.y),
+        wrapped(at.chair.theta - home.theta),
+        (float(np.linalg.norm(error[:3])), float(np.linalg.norm(error[3:]))),
+    )
+
+
+def _change(at: Configuration, home: PlanarPose, goal: Floats, may_drive: bool) -> Floats:
+    """Give one damped step, (n + 3,): joints, and the chair's x, y, theta."""
+    body = at.body
+    count = body.count
+    rows = _free_chair_jacobian(at)
+    rows[3:] *= RADIAN
+    error = pose_error(at.hand, goal)
+    error[3:] *= RADIAN
+    homeward = np.zeros(count + 3)
+    homeward[count:] = (
+        home.x - at.chair.x,
+        home.y - at.chair.y,
+        wrapped(home.theta - at.chair.theta),
+    )
+    free = np.ones(count + 3)
+    if not may_drive:
+        free[count:] = 0.0
+    for _ in range(count):
+        columns = rows * free
+        square = columns @ rows.T
+        square.flat[:: 6 + 1] += 1e-8 + 0.01 * float(error @ error)
+        inverse = np.linalg.solve(square, np.column_stack((error, rows @ (free * homeward))))
+        step: Floats = inverse[:, 0] @ columns + 0.3 * (free * homeward - inverse[:, 1] @ columns)
+        after = at.joints + step[:count]
+        low, high = body.lower + MARGIN, body.upper - MARGIN
+        stuck = ((at.joints <= low) & (after < low)) | ((at.joints >= high) & (after > high))
+        stuck &= free[:count] > 0.0
+        if not stuck.any():
+            break
+        free[:count][stuck] = 0.0
+    return step
+
+
+def _free_chair_jacobian(at: Configuration) -> Floats:
+    """Give the hand's twist per joint and per x, y and heading of a chair that could go anywhere."""
+    count = at.body.count
+    rows = np.zeros((6, count + 3))
+    rows[:, :count] = at.jacobian[:, :count]
+    rows[0, count] = rows[1, count + 1] = rows[5, count + 2] = 1.0
+    rows[0, count + 2] = -(at.hand[1, 3] - at.chair.y)
+    rows[1, count + 2] = at.hand[0, 3] - at.chair.x
+    return rows
+
+
+def in_words(pose: PlanarPose) -> str:
+    """Say a pose of the chair."""
+    return f"x {pose.x:.2f} m, y {pose.y:.2f} m, heading {degrees(pose.theta):.0f} deg"
