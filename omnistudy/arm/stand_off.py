@@ -1,4 +1,4 @@
-"""From where on the floor the hand can be brought to a pose, and how far the chair must go for it."""
+"""From where on the floor the hand can be brought to a pose, nearest first."""
 
 from __future__ import annotations
 
@@ -152,7 +152,7 @@ def _change(at: Configuration, home: PlanarPose, goal: Floats, may_drive: bool) 
 
 
 def _free_chair_jacobian(at: Configuration) -> Floats:
-    """Give the hand's twist per joint and per x, y and heading of a chair that could go anywhere."""
+    """Give the hand's twist per joint, and per x, y, heading of a chair that goes anywhere."""
     count = at.body.count
     rows = np.zeros((6, count + 3))
     rows[:, :count] = at.jacobian[:, :count]
