@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from omnistudy.arm.chair import axle, pose_of_axle
 from omnistudy.arm.profile import Chair
+from omnistudy.arm.timing import Timing
 from omnistudy.geometry import PlanarPose, wrapped
 
 
@@ -47,13 +48,28 @@ class ChairRoute(NamedTuple):
     ) -> ChairRoute:
         return cls(start, (wrapped(heading - start.theta), way, wrapped(goal.theta - heading)))
 
-    def duration(self, chair: Chair, peak: float = 1.0) -> float:
-        """Give the seconds it takes at the chair's limits.
+    def duration(self, chair: Chair, timing: Timing) -> float:
+        """Give the seconds it takes at the chair's limits."""
+        return timing.peak * sum(self._needs(chair))
 
-        peak : greatest speed of each stage's timing over its mean.
-        """
+    def _needs(self, chair: Chair) -> tuple[float, float, float]:
+        """Give the seconds of each stage at the chair's greatest speeds."""
         first, way, last = (abs(amount) for amount in self.amounts)
-        return peak * ((first + last) / chair.top_turn + way / chair.top_speed)
+        return first / chair.top_turn, way / chair.top_speed, last / chair.top_turn
+
+    def shares(self, u: float, chair: Chair, timing: Timing) -> tuple[float, float, float]:
+        """Give how much of each stage is done at the share `u` of the time.
+
+        Each stage takes time by what it needs at the chair's limits, and has its own timing.
+        """
+        needs = self._needs(chair)
+        left = u * sum(needs)
+        done = []
+        for need in needs:
+            part = min(left / need, 1.0) if need > 0.0 else 1.0
+            done.append(timing.share(part))
+            left = max(left - need, 0.0)
+        return done[0], done[1], done[2]
 
     def pose(self, shares: tuple[float, float, float]) -> PlanarPose:
         """Give the pose when these shares (0 to 1) of the three stages are done."""

@@ -21,13 +21,12 @@ ARC_LOOKS = (0.25, 0.5, 0.75, 1.0)
 class PoseCheck(NamedTuple):
     """One pose on the way: from here, from elsewhere, or not at all.
 
-    share : of the motion's path. here : reached without moving the chair. nearest : the nearest
-    chair pose found, or where the hand comes nearest.
+    share : of the motion's path. nearest : the nearest chair pose found, or where the hand comes
+    nearest.
     """
 
     motion: str
     share: float
-    here: bool
     nearest: StandOff
 
     @property
@@ -47,7 +46,7 @@ class PoseCheck(NamedTuple):
                 f"no chair pose was found from which the arm reaches it: from {place} the hand "
                 f"is still {1000 * short:.0f} mm and {degrees(turn):.0f} deg short"
             )
-        if self.here:
+        if self.nearest.distance == 0.0 and self.nearest.turn == 0.0:
             return f"can be reached from where the chair stands{touching}"
         return f"can be reached with the chair at {place}{touching}"
 
@@ -112,5 +111,5 @@ def _checked(motion: Motion, at: Configuration) -> Iterator[PoseCheck]:
     for share in _shares(motion):
         goal = path.pose(share)
         here = nearest_stand_off(at, goal, may_drive=False)
-        nearest = here if here.reached else nearest_stand_off(at, goal)
-        yield PoseCheck(motion.name, share, here.reached, nearest)
+        nearest = here if here.reached and here.clear else nearest_stand_off(at, goal)
+        yield PoseCheck(motion.name, share, nearest)

@@ -46,7 +46,7 @@ def durations(motion: Motion, path: Path, start: Configuration) -> Durations:
     if motion.chair_goal is not None:
         profile = start.body.profile.chair
         route = ChairRoute.of_chair(profile, start.chair, motion.chair_goal.pose)
-        chair = route.duration(profile, motion.timing.peak)
+        chair = route.duration(profile, motion.timing)
     return Durations(hand, chair, _for_joints(path, start, hand * motion.timing.peak, hand))
 
 

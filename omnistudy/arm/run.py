@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import degrees
+from math import degrees, hypot, nan
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from omnistudy.arm.chair import axle
 from omnistudy.arm.configuration import Configuration
 from omnistudy.arm.step_report import StepReport
-from omnistudy.geometry import PlanarPose
+from omnistudy.geometry import PlanarPose, wrapped
 from omnistudy.geometry.rigid_motion import pose_error, quaternion
 
 Floats = NDArray[np.float64]
@@ -27,6 +28,8 @@ class ArmStep:
 
     t : s since the task began. joints : rad. chair : at the arm's base. hand, hand_quaternion :
     where the hand is. wanted : where its path is. error, error_turn : m and rad between them.
+    wanted_chair : where the chair's own route is, when it has one. chair_error, chair_turn : m
+    between the middle of its axle and that of the route, and rad; nan without one.
     driven : m that the chair's axle went forward since the motion began, backwards negative.
     bearing : direction of the whole path on the floor, rad; nan for one that leads nowhere.
     arm_manipulability : sqrt det(J_A J_A') in m^3. smallest : smallest singular value of J_A, in
@@ -44,6 +47,9 @@ class ArmStep:
     wanted: tuple[float, float, float]
     error: float
     error_turn: float
+    wanted_chair: PlanarPose | None
+    chair_error: float
+    chair_turn: float
     driven: float
     bearing: float
     manipulability: float
@@ -51,6 +57,14 @@ class ArmStep:
     smallest: float
     damping: float
     hits: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class ArmRun:
+    """All steps of a task, and the arm that did them, by name or file."""
+
+    arm: str
+    steps: tuple[ArmStep, ...]
 
 
 class Moment(NamedTuple):
@@ -61,6 +75,7 @@ class Moment(NamedTuple):
     t: float
     configuration: Configuration
     wanted: Floats
+    wanted_chair: PlanarPose | None
     driven: float
     bearing: float
     report: StepReport
@@ -73,6 +88,7 @@ def measured(moment: Moment) -> ArmStep:
     rows = at.arm_jacobian.copy()
     rows[3:] *= RADIAN
     x, y, z = at.hand[:3, 3].tolist()
+    chair_error, chair_turn = _chair_errors(at, moment.wanted_chair)
     wx, wy, wz = moment.wanted[:3, 3].tolist()
     return ArmStep(
         motion=moment.motion,
@@ -85,6 +101,9 @@ def measured(moment: Moment) -> ArmStep:
         wanted=(wx, wy, wz),
         error=float(np.linalg.norm(error[:3])),
         error_turn=float(np.linalg.norm(error[3:])),
+        wanted_chair=moment.wanted_chair,
+        chair_error=chair_error,
+        chair_turn=chair_turn,
         driven=moment.driven,
         bearing=moment.bearing,
         manipulability=moment.report.manipulability,
@@ -95,10 +114,19 @@ def measured(moment: Moment) -> ArmStep:
     )
 
 
+def _chair_errors(at: Configuration, wanted: PlanarPose | None) -> tuple[float, float]:
+    if wanted is None:
+        return nan, nan
+    profile = at.body.profile.chair
+    here, there = axle(profile, at.chair), axle(profile, wanted)
+    return hypot(there.x - here.x, there.y - here.y), abs(wrapped(there.theta - here.theta))
+
+
 class MotionSummary(NamedTuple):
     """One motion in short: m, rad, s.
 
-    held_back : steps at which a limit or a zone held the motion back. damped : steps with damping.
+    chair_error, chair_turn : at the end, as in `ArmStep`. held_back : steps at which a limit or a
+    zone held the motion back. damped : steps with damping. smallest : of any step.
     """
 
     motion: str
@@ -110,6 +138,8 @@ class MotionSummary(NamedTuple):
     final_turn: float
     driven: float
     chair: PlanarPose
+    chair_error: float
+    chair_turn: float
     held_back: int
     damped: int
     smallest: float
@@ -120,10 +150,10 @@ class MotionSummary(NamedTuple):
         return self.final_error < 1e-3 and degrees(self.final_turn) < 0.2
 
 
-def summaries(steps: Sequence[ArmStep]) -> tuple[MotionSummary, ...]:
+def summaries(run: ArmRun) -> tuple[MotionSummary, ...]:
     """Sum up each motion of a run."""
-    names = dict.fromkeys(step.motion for step in steps)
-    return tuple(_summary([s for s in steps if s.motion == name]) for name in names)
+    names = dict.fromkeys(step.motion for step in run.steps)
+    return tuple(_summary([s for s in run.steps if s.motion == name]) for name in names)
 
 
 def _summary(steps: Sequence[ArmStep]) -> MotionSummary:
@@ -138,6 +168,8 @@ def _summary(steps: Sequence[ArmStep]) -> MotionSummary:
         final_turn=last.error_turn,
         driven=last.driven,
         chair=last.chair,
+        chair_error=last.chair_error,
+        chair_turn=last.chair_turn,
         held_back=sum(bool(step.hits) for step in steps),
         damped=sum(step.damping > 0.0 for step in steps),
         smallest=min(step.smallest for step in steps),

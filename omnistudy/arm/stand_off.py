@@ -53,28 +53,35 @@ class StandOff(NamedTuple):
         return self.short[0] <= NEAR_ENOUGH[0] and self.short[1] <= NEAR_ENOUGH[1]
 
     @property
+    def clear(self) -> bool:
+        """Whether the arm enters no zone."""
+        return not self.configuration.intrusions.names
+
+    @property
     def cost(self) -> float:
         """How far it is from here, in m."""
         return self.distance + RADIAN * abs(self.turn)
 
 
-def nearest_stand_off(
-    now: Configuration, goal: Floats, *, may_drive: bool = True, free_of_zones: bool = True
-) -> StandOff:
+def nearest_stand_off(now: Configuration, goal: Floats, *, may_drive: bool = True) -> StandOff:
     """Give the nearest chair pose found from which the hand has its goal (4, 4), limits kept.
 
-    If there is none, give where the hand comes nearest. `may_drive` false leaves the chair where
-    it is. `free_of_zones` prefers answers that touch nothing. The chair is moved freely over the
-    floor here; how it gets there is another question.
+    Answers that enter no zone come before nearer ones that do. If there is none at all, give
+    where the hand comes nearest. `may_drive` false leaves the chair where it is. The chair is
+    moved freely over the floor here; how it gets there is another question.
     """
     found = [
-        _improved(begin, now.chair, goal, may_drive) for begin in _begins(now, goal, may_drive)
+        answer
+        for begin in _begins(now, goal, may_drive)
+        for answer in _search(begin, now.chair, goal, may_drive)
     ]
-    reached = [answer for answer in found if answer.reached]
-    if not reached:
-        return min(found, key=lambda answer: answer.short[0] + RADIAN * answer.short[1])
-    clear = [a for a in reached if not a.configuration.intrusions.names] if free_of_zones else []
-    return min(clear or reached, key=lambda answer: answer.cost)
+    return min(found, key=_rank)
+
+
+def _rank(answer: StandOff) -> tuple[bool, float, bool, float]:
+    if not answer.reached:
+        return True, answer.short[0] + RADIAN * answer.short[1], False, 0.0
+    return False, 0.0, not answer.clear, answer.cost
 
 
 def _begins(now: Configuration, goal: Floats, may_drive: bool) -> Iterator[Configuration]:
@@ -95,23 +102,42 @@ def _begins(now: Configuration, goal: Floats, may_drive: bool) -> Iterator[Confi
             yield Configuration(body, joints, PlanarPose(turned.x + x, turned.y + y, turned.theta))
 
 
-def _improved(begin: Configuration, home: PlanarPose, goal: Floats, may_drive: bool) -> StandOff:
-    """Go down to the goal, and in what freedom is left towards where the chair stands now."""
-    at = begin
-    body = at.body
-    for _ in range(SEARCH_STEPS):
-        change = _change(at, home, goal, may_drive)
+def _search(
+    begin: Configuration, home: PlanarPose, goal: Floats, may_drive: bool
+) -> Iterator[StandOff]:
+    """Go down to the goal, and in what freedom is left towards where the chair stands now.
+
+    Every other step only mends what the step towards home has spoilt. Yields each answer that is
+    better than those before it, or the last attempt.
+    """
+    at, best = begin, None
+    for attempt in range(SEARCH_STEPS):
+        mends = attempt % 2 == 1
+        change = _change(at, at.chair if mends else home, goal, may_drive)
         change /= max(1.0, float(np.abs(change).max()) / FURTHEST_STEP)
-        joints = np.clip(at.joints + change[: body.count], body.lower + MARGIN, body.upper - MARGIN)
-        x, y, turn = change[body.count :].tolist()
-        chair = PlanarPose(at.chair.x + x, at.chair.y + y, at.chair.theta + turn)
-        settled = float(np.abs(change).max()) < SETTLED
-        at = Configuration(body, joints, chair)
-        if settled:
+        at = _changed(at, change)
+        answer = _measured(at, home, goal)
+        if answer.reached and (best is None or _rank(answer) < _rank(best)):
+            best = answer
+            yield answer
+        if not mends and float(np.abs(change).max()) < SETTLED:
             break
+    if best is None:
+        yield answer
+
+
+def _changed(at: Configuration, change: Floats) -> Configuration:
+    body = at.body
+    joints = np.clip(at.joints + change[: body.count], body.lower + MARGIN, body.upper - MARGIN)
+    x, y, turn = change[body.count :].tolist()
+    chair = PlanarPose(at.chair.x + x, at.chair.y + y, wrapped(at.chair.theta + turn))
+    return Configuration(body, joints, chair)
+
+
+def _measured(at: Configuration, home: PlanarPose, goal: Floats) -> StandOff:
     error = pose_error(at.hand, goal)
     return StandOff(
-        Configuration(body, at.joints, at.chair._replace(theta=wrapped(at.chair.theta))),
+        at,
         hypot(at.chair.x - home.x, at.chair.y - home.y),
         wrapped(at.chair.theta - home.theta),
         (float(np.linalg.norm(error[:3])), float(np.linalg.norm(error[3:]))),

@@ -41,6 +41,7 @@ NOUNS = {
     "session": Noun("A participant's trials: plan them, run them."),
     "law": Noun("Laws that make the force on the stick."),
     "world": Noun("Worlds to drive through."),
+    "arm": Noun("Arms on wheelchairs, and tasks solved without physics."),
     "operator": Noun("Who drives: the virtual driver, a recording."),
     "drive": Noun("Drive through worlds without a study: recordings, the virtual driver."),
     "report": Noun("A study's report as one HTML file.", True),

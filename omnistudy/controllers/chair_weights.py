@@ -11,7 +11,9 @@ from typing import Annotated, Any, Literal, NamedTuple
 
 from pydantic import Field
 
+from omnistudy.arm.chair import axle
 from omnistudy.arm.chair_route import ChairRoute
+from omnistudy.arm.configuration import Configuration
 from omnistudy.arm.guidance import Guidance
 from omnistudy.geometry import PlanarPose, wrapped
 from omnistudy.registry import Model
@@ -30,7 +32,7 @@ class ChairWeights(Model, ABC):
     """A rule: pure, its memory passed in and out."""
 
     @abstractmethod
-    def weights(self, guidance: Guidance, chair: PlanarPose, memory: Any) -> Weights:
+    def weights(self, guidance: Guidance, at: Configuration, memory: Any) -> Weights:
         """Weigh the chair at one step; `memory` is None at the first."""
 
 
@@ -43,7 +45,7 @@ class FixedWeights(ChairWeights):
     turn: Annotated[Ratio, Positive] = 10.0
     """10 is that of the lab's program of 2007 to 2010; 1000 while a door opens (p. 127)."""
 
-    def weights(self, guidance: Guidance, chair: PlanarPose, memory: Any) -> Weights:
+    def weights(self, guidance: Guidance, at: Configuration, memory: Any) -> Weights:
         """Give the two numbers."""
         return Weights(self.drive, self.turn)
 
@@ -62,10 +64,10 @@ class PrintedWeights(ChairWeights):
     least_turn: Annotated[Ratio, Positive] = 1e-3
     """Ours: at the first step the printed weight is 0, and the program divides by it."""
 
-    def weights(self, guidance: Guidance, chair: PlanarPose, memory: Any) -> Weights:
+    def weights(self, guidance: Guidance, at: Configuration, memory: Any) -> Weights:
         """Remember the first angle b; turn = (b^2 - a^2)^2 / (2 b^2 a)."""
         bearing = guidance.heading_wanted()
-        angle = 0.0 if isnan(bearing) else abs(wrapped(bearing - chair.theta))
+        angle = 0.0 if isnan(bearing) else abs(wrapped(bearing - at.chair.theta))
         first: float = angle if memory is None else memory
         drive = self.drive_near if angle < self.near else self.drive_far
         room = 2.0 * first * first * angle
@@ -97,17 +99,19 @@ class StagedWeights(ChairWeights):
     arrived_drive: Annotated[Metres, Positive] = 0.01
     """The stage that drives ends this near its end; ours."""
 
-    def weights(self, guidance: Guidance, chair: PlanarPose, memory: Any) -> Weights:
+    def weights(self, guidance: Guidance, at: Configuration, memory: Any) -> Weights:
         """Remember where the chair began and which stage it is in."""
         goal = guidance.chair_goal
         if goal is None:
             return Weights(1.0, 1.0, memory)
-        begun: tuple[PlanarPose, int] = memory or (chair, 0)
+        chair = at.body.profile.chair
+        here = axle(chair, at.chair)
+        begun: tuple[PlanarPose, int] = memory or (here, 0)
         start, stage = begun
-        route = ChairRoute.between(start, goal)
-        while stage < 2 and self._arrived(route, stage, chair):
+        route = ChairRoute.between(start, axle(chair, goal))
+        while stage < 2 and self._arrived(route, stage, here):
             stage += 1
-        moving, resting = self._pair(route, stage, chair)
+        moving, resting = self._pair(route, stage, here)
         pair = (resting, moving) if stage != 1 else (moving, resting)
         return Weights(
             min(self.drive + pair[0], self.greatest),
@@ -115,16 +119,16 @@ class StagedWeights(ChairWeights):
             (start, stage),
         )
 
-    def _arrived(self, route: ChairRoute, stage: int, chair: PlanarPose) -> bool:
-        left = abs(route.amounts[stage] - route.done(stage, chair))
+    def _arrived(self, route: ChairRoute, stage: int, here: PlanarPose) -> bool:
+        left = abs(route.amounts[stage] - route.done(stage, here))
         return left <= (self.arrived_drive if stage == 1 else self.arrived_turn)
 
-    def _pair(self, route: ChairRoute, stage: int, chair: PlanarPose) -> tuple[float, float]:
+    def _pair(self, route: ChairRoute, stage: int, here: PlanarPose) -> tuple[float, float]:
         """Give the weights of what is to move and of what is to rest."""
         half = route.amounts[stage]
         if half == 0.0:
             return 1.0 / self.tolerance, 0.0
-        u = min(abs(1.0 - route.done(stage, chair) / half), 1.0)
+        u = min(abs(1.0 - route.done(stage, here) / half), 1.0)
         gradient = 2.0 * u / (1.0 - u * u) ** 2 if u < 1.0 else inf
         if not self.normalised:
             gradient /= abs(half)

@@ -33,7 +33,7 @@ class WeightedLeastNorm(ResolvedRateController):
     def _inverse_weights(
         self, guidance: Guidance, configuration: Configuration, added: Floats, memory: RateMemory
     ) -> tuple[Floats, Any]:
-        weights = self.chair_weights.weights(guidance, configuration.chair, memory.weights)
+        weights = self.chair_weights.weights(guidance, configuration, memory.weights)
         radius = configuration.body.profile.chair.wheel_radius
         count = configuration.body.count
         free = np.empty(count + 2)

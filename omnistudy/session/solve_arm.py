@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from math import atan2, hypot, nan
 
-from omnistudy.arm.check import PoseCheck, check_task, start_of
+from omnistudy.arm.chair_route import ChairRoute
+from omnistudy.arm.check import check_task, start_of
 from omnistudy.arm.configuration import ArmState, Configuration
 from omnistudy.arm.duration import durations
 from omnistudy.arm.guidance import Guidance
 from omnistudy.arm.paths import Path
-from omnistudy.arm.run import ArmStep, Moment, measured
+from omnistudy.arm.run import ArmRun, ArmStep, Moment, measured
 from omnistudy.arm.task import ArmTask, Motion
 from omnistudy.controllers import Controller
 from omnistudy.devices import DeviceState
@@ -21,16 +22,14 @@ LEADS_NOWHERE = 1e-6
 """m over the floor below which a path has no bearing."""
 
 
-def refuse_impossible(task: ArmTask) -> tuple[PoseCheck, ...]:
+def refuse_impossible(task: ArmTask) -> None:
     """Check a task before anything moves; raises ImpossibleTask with the reason."""
-    checked = check_task(task)
-    for pose in checked.poses:
+    for pose in check_task(task).poses:
         if not pose.possible:
             raise ImpossibleTask(pose.motion, pose.answer)
-    return checked.poses
 
 
-def solve_task(task: ArmTask, advance: Callable[..., None] | None = None) -> tuple[ArmStep, ...]:
+def solve_task(task: ArmTask, advance: Callable[..., None] | None = None) -> ArmRun:
     """Run all motions, one after the other; gives every step.
 
     advance : told after each motion. Raises ImpossibleStart, UnknownArm or BrokenArmPage.
@@ -43,7 +42,7 @@ def solve_task(task: ArmTask, advance: Callable[..., None] | None = None) -> tup
         steps.extend(done)
         if advance is not None:
             advance()
-    return tuple(steps)
+    return ArmRun(task.arm, tuple(steps))
 
 
 def _motion(
@@ -52,20 +51,24 @@ def _motion(
     """Lead the hand along one path: at each step all that is missing is asked for at once."""
     controller: Controller = motion.controller or task.controller
     path = motion.path(at.hand, at.base)
+    chair = at.body.profile.chair
     count, dt = _steps(task, motion, path, at)
     bearing, goal = _bearing(path), motion.chair_goal.pose if motion.chair_goal else None
     difference = pose_error if task.error == "logarithm" else sine_error
+    route = None if goal is None else ChairRoute.of_chair(chair, at.chair, goal)
     state, driven = controller.initial_state(), 0.0
     steps = []
     for step in range(count + 1):
-        wanted = path.pose(motion.timing.share(step / count) if count else 1.0)
+        u = step / count if count else 1.0
+        wanted = path.pose(motion.timing.share(u))
+        aside = route and route.chair_pose(chair, route.shares(u, chair, motion.timing))
         guidance = Guidance(difference(at.hand, wanted) / dt, bearing, goal)
         device = DeviceState(guidance.numbers, (0.0,) * len(guidance.numbers))
         control = controller.control(device, ArmState(at), None, state, dt)
         state, at = control.state, at.moved(control.command, dt)
         driven += float(control.command[at.body.count]) * dt
         moment = Moment(
-            motion.name, step, began + step * dt, at, wanted, driven, bearing, state.report
+            motion.name, step, began + step * dt, at, wanted, aside, driven, bearing, state.report
         )
         steps.append(measured(moment))
     return steps, at, began + (count + 1) * dt
