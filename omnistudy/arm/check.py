@@ -110,6 +110,5 @@ def _checked(motion: Motion, at: Configuration) -> Iterator[PoseCheck]:
     path = motion.path(at.hand, at.base)
     for share in _shares(motion):
         goal = path.pose(share)
-        here = nearest_stand_off(at, goal, may_drive=False)
-        nearest = here if here.reached and here.clear else nearest_stand_off(at, goal)
+        nearest = nearest_stand_off(at, goal)
         yield PoseCheck(motion.name, share, nearest)

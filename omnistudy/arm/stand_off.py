@@ -70,12 +70,17 @@ def nearest_stand_off(now: Configuration, goal: Floats, *, may_drive: bool = Tru
     where the hand comes nearest. `may_drive` false leaves the chair where it is. The chair is
     moved freely over the floor here; how it gets there is another question.
     """
-    found = [
-        answer
-        for begin in _begins(now, goal, may_drive)
-        for answer in _search(begin, now.chair, goal, may_drive)
-    ]
-    return min(found, key=_rank)
+    still = _best(_postures(now), now.chair, goal, may_drive=False)
+    if not may_drive or (still.reached and still.clear):
+        return still
+    return min(still, _best(_round(now, goal), now.chair, goal, may_drive=True), key=_rank)
+
+
+def _best(
+    begins: Iterator[Configuration], home: PlanarPose, goal: Floats, *, may_drive: bool
+) -> StandOff:
+    answers = (answer for begin in begins for answer in _search(begin, home, goal, may_drive))
+    return min(answers, key=_rank)
 
 
 def _rank(answer: StandOff) -> tuple[bool, float, bool, float]:
@@ -84,22 +89,25 @@ def _rank(answer: StandOff) -> tuple[bool, float, bool, float]:
     return False, 0.0, not answer.clear, answer.cost
 
 
-def _begins(now: Configuration, goal: Floats, may_drive: bool) -> Iterator[Configuration]:
-    """Begin with several postures; with the chair below the goal at several headings too."""
+def _postures(now: Configuration) -> Iterator[Configuration]:
+    """Begin where the chair stands, with several postures."""
     body = now.body
     ready = np.array(body.profile.ready)
     mirrored = ready * np.array([1.0 if i % 2 else -1.0 for i in range(body.count)])
     middle = 0.5 * (body.lower + body.upper)
-    postures = (now.joints, ready, mirrored, 0.5 * (ready + middle))
-    yield from (Configuration(body, joints, now.chair) for joints in postures)
-    if not may_drive:
-        return
+    for joints in (now.joints, ready, mirrored, 0.5 * (ready + middle)):
+        yield Configuration(body, joints, now.chair)
+
+
+def _round(now: Configuration, goal: Floats) -> Iterator[Configuration]:
+    """Begin with the hand above or below its goal, at several headings of the chair."""
     for heading in HEADINGS:
-        for joints in postures:
-            turned = PlanarPose(now.chair.x, now.chair.y, now.chair.theta + heading)
-            hand = Configuration(body, joints, turned).hand
+        for posture in _postures(now):
+            chair = now.chair._replace(theta=now.chair.theta + heading)
+            hand = Configuration(now.body, posture.joints, chair).hand
             x, y = (goal[:2, 3] - hand[:2, 3]).tolist()
-            yield Configuration(body, joints, PlanarPose(turned.x + x, turned.y + y, turned.theta))
+            place = PlanarPose(chair.x + x, chair.y + y, chair.theta)
+            yield Configuration(now.body, posture.joints, place)
 
 
 def _search(

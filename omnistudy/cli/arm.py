@@ -175,6 +175,7 @@ def solve(
 
     Example: omnistudy arm solve reach --controller sri_wln -o reach.csv
     """
+    from omnistudy.arm.check import looks
     from omnistudy.arm.find import load_task
     from omnistudy.arm.run import summaries
     from omnistudy.arm.run_file import may_write, write_run
@@ -183,7 +184,8 @@ def solve(
     page = load_task(task) if controller is None else _led_by(load_task(task), controller)
     may_write(output, replace=force)
     if not unchecked:
-        refuse_impossible(page)
+        with progress("poses", looks(page)) as advance:
+            refuse_impossible(page, advance)
     with progress("motions", len(page.motions)) as advance:
         run = solve_task(page, advance)
     write_run(run, output, replace=force)

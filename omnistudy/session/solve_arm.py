@@ -22,9 +22,12 @@ LEADS_NOWHERE = 1e-6
 """m over the floor below which a path has no bearing."""
 
 
-def refuse_impossible(task: ArmTask) -> None:
-    """Check a task before anything moves; raises ImpossibleTask with the reason."""
-    for pose in check_task(task).poses:
+def refuse_impossible(task: ArmTask, advance: Callable[..., None] | None = None) -> None:
+    """Check a task before anything moves; raises ImpossibleTask with the reason.
+
+    advance : told after each pose that is looked at.
+    """
+    for pose in check_task(task, advance).poses:
         if not pose.possible:
             raise ImpossibleTask(pose.motion, pose.answer)
 
