@@ -15,10 +15,10 @@ from omnistudy.geometry.rigid_motion import pose_error
 LOOKS = 40
 """Places along a path at which the joints' rates are estimated."""
 
-FLOOR = 1e-6
+FLOOR = 1e-4
 """Keeps the estimate finite where the arm is singular."""
 
-LONGEST = 20.0
+LONGEST = 5.0
 """An estimate is at most this many times the hand's own duration."""
 
 

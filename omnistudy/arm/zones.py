@@ -44,8 +44,8 @@ LAB_ZONES: tuple[Zone, ...] = (
         Zone(name="floor", guards="floor", joint=joint, seen_from="floor", z=(None, 0.100))
         for joint in (3, 4, 5, 7)
     ),
-    _zone("front", "chair", 3, (0.450, None), (None, -0.150), ANYWHERE),
-    _zone("left side", "chair", 3, (None, 0.450), (None, 0.100), ANYWHERE),
+    _zone("front left side", "chair", 3, (0.450, None), (None, -0.150), ANYWHERE),
+    _zone("rear left side", "chair", 3, (None, 0.450), (None, 0.100), ANYWHERE),
     _zone("left side", "chair", 4, (-0.100, 0.450), (None, 0.0), ANYWHERE),
     _zone("rear left side", "chair", 4, (None, -0.100), (None, 0.100), ANYWHERE),
     _zone("shoulder", "user", 5, (-0.550, -0.100), (None, 0.150), ANYWHERE),
@@ -65,8 +65,9 @@ LAB_ZONES: tuple[Zone, ...] = (
         z=(None, 0.0),
     ),
 )
-"""The lab's own, from the program behind the thesis (WMRA_collide). Two names are ours: the boxes
-of joints 3 and 4. A third box of joint 3 lies inside its "left side" and is left out."""
+"""The lab's own, from the program behind the thesis (WMRA_collide). The names are
+ours but for the user's, the battery and "rear left side". A third box of joint 3 lies inside that
+one and is left out."""
 
 
 class Intrusions(NamedTuple):
