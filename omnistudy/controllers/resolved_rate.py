@@ -182,7 +182,7 @@ class ResolvedRateController(Controller):
             return rates, hits
         if self.zones == "legacy":
             rates[: configuration.body.count] *= LEGACY_RETREAT
-        elif ahead.depth < configuration.intrusions.depth:
+        elif not ahead.deeper_than(configuration.intrusions):
             return rates, hits
         else:
             rates = np.zeros_like(rates)
