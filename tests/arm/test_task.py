@@ -55,6 +55,16 @@ def test_goals_in_each_frame(frame: str, place: tuple[float, float, float]) -> N
     assert path.pose(1.0)[:3, :3] == pytest.approx(HAND[:3, :3])
 
 
+def test_a_rotation_is_seen_from_its_frame() -> None:
+    same = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
+    seen = {
+        frame: motion(goal={"frame": frame, "rotation": same}).path(HAND, BASE).pose(1.0)
+        for frame in ("ground", "gripper")
+    }
+    assert seen["ground"][:3, :3] == pytest.approx(np.eye(3))
+    assert seen["gripper"] == pytest.approx(HAND)
+
+
 def test_turns_are_about_the_hands_own_axes() -> None:
     path = motion(goal={"turns": [{"axis": "x", "angle": pi / 2}]}).path(HAND, BASE)
     assert path.pose(1.0)[:3, 3] == pytest.approx(HAND[:3, 3])
