@@ -41,7 +41,7 @@ def test_a_page_becomes_a_task(tmp_path: Path) -> None:
     task = load_task(write(tmp_path, PAGE))
     assert isinstance(task.controller, SriWln)
     assert task.controller.damping == "legacy"
-    assert task.controller.chair_weights.drive == 2.0  # type: ignore[union-attr]
+    assert task.controller.chair_weights.drive == 2.0
     assert task.start.joints == "ready"
 
 

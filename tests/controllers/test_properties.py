@@ -1,4 +1,4 @@
-"""What every controller of a robot on the floor keeps: a mirrored world, a turned one, a still stick."""
+"""What every controller of a robot on the floor keeps: a mirrored world, a turned one, rest."""
 
 from __future__ import annotations
 
