@@ -148,11 +148,10 @@ def check(task: TaskArgument, as_json: AsJson = False) -> None:
     page = load_task(task)
     with progress("poses", looks(page)) as advance:
         checked = check_task(page, advance)
-    rows = [(p.motion, p.share, p.possible, p.answer) for p in checked.poses]
     if as_json:
-        keys = ("motion", "share", "possible", "answer")
-        print_json([dict(zip(keys, row, strict=True)) for row in rows])
+        print_json([pose.in_numbers._asdict() for pose in checked.poses])
     else:
+        rows = [(p.motion, p.share, p.possible, p.answer) for p in checked.poses]
         print_table(task, ("motion", "share of its path", "possible", "answer"), rows)
     if not checked.possible:
         raise typer.Exit(1)

@@ -73,7 +73,8 @@ class ResolvedRateController(Controller):
         guidance = self._in_ground_axes(Guidance.read(device.position), configuration)
         gradient, added = self._limits(configuration, memory.gradient)
         free, weights_memory = self._inverse_weights(guidance, configuration, added, memory)
-        problem = self._problem(guidance, configuration, free, gradient)
+        slope = self._slope(gradient, added)
+        problem = self._problem(guidance, configuration, free, slope)
         solution, hits = self._solve_within_limits(problem, configuration, dt)
         rates, held = self._held_back(solution.rates, configuration, dt)
         hits += held + (("singular",) if solution.singular else ())
@@ -89,6 +90,10 @@ class ResolvedRateController(Controller):
     def damping_name(self) -> DampingName | None:
         """Which damping the law has; None for a pseudo-inverse."""
         return None
+
+    def _slope(self, gradient: Floats, added: Floats) -> Floats:
+        """Give what the null space slides along, (n,): the gradient. Laws may leave some out."""
+        return gradient
 
     def _inverse_weights(
         self, guidance: Guidance, configuration: Configuration, added: Floats, memory: RateMemory
@@ -156,7 +161,8 @@ class ResolvedRateController(Controller):
             return solution, _named("limit", frozen)
         stopped = np.zeros(body.count, dtype=np.bool_)
         for _ in range(body.count):
-            rates = solution.rates[: body.count]
+            # a rate that will be slowed anyhow does not pass a limit
+            rates = self._slowed(solution.rates, body)[0][: body.count]
             after = joints + rates * dt
             passing = ((after > body.upper) & (rates > 0.0)) | (
                 (after < body.lower) & (rates < 0.0)
@@ -172,9 +178,7 @@ class ResolvedRateController(Controller):
         self, rates: Floats, configuration: Configuration, dt: float
     ) -> tuple[Floats, tuple[str, ...]]:
         """Apply the speed limits and the zones."""
-        hits: tuple[str, ...] = ()
-        if self.speed_limits != "none":
-            rates, hits = self._slowed(rates, configuration.body)
+        rates, hits = self._slowed(rates, configuration.body)
         if self.zones == "none" or self.moves == "chair":
             return rates, hits
         ahead = configuration.moved(rates, dt).intrusions
@@ -189,6 +193,8 @@ class ResolvedRateController(Controller):
         return rates, hits + tuple(f"zone {name}" for name in ahead.names)
 
     def _slowed(self, rates: Floats, body: ArmBody) -> tuple[Floats, tuple[str, ...]]:
+        if self.speed_limits == "none":
+            return rates, ()
         top = body.top_rates
         over = np.abs(rates) / top
         most = float(over.max())
