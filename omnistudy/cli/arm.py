@@ -31,9 +31,9 @@ def _tasks() -> list[str]:
 
 
 def _controllers() -> list[str]:
-    from omnistudy.registry import kinds
+    from omnistudy.session.solve_arm import arm_controllers
 
-    return list(kinds("controllers"))
+    return list(arm_controllers())
 
 
 def _figures() -> list[str]:
