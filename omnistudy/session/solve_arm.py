@@ -74,7 +74,7 @@ def solve_task(task: ArmTask, advance: Callable[..., None] | None = None) -> Arm
 
 
 class _Lead(NamedTuple):
-    """What leads hand and chair through one motion; `last` is the number of its last step, from 0."""
+    """What leads hand and chair through one motion; `last` is its last step, the first is 0."""
 
     motion: Motion
     controller: Controller
