@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omnistudy.arm.configuration import ArmBody, Configuration
-from omnistudy.arm.guidance import Guidance
+from omnistudy.arm.guidance import TWIST, Guidance
 from omnistudy.arm.limits import limit_gradient, limit_weights
 from omnistudy.arm.step_report import StepReport
 from omnistudy.controllers.controller import Control, Controller
@@ -80,7 +80,8 @@ class ResolvedRateController(Controller):
         hits += held + (("singular",) if solution.singular else ())
         remembered = gradient if self.limit_memory == "kept" else np.sign(gradient) * added
         report = StepReport(solution.manipulability, solution.damping, hits)
-        return Control(device.position, rates, RateMemory(remembered, weights_memory, report))
+        asked = device.position[:TWIST]
+        return Control(asked, rates, RateMemory(remembered, weights_memory, report))
 
     @abstractmethod
     def solve(self, problem: Problem, damping: Damping | None) -> Solution:
