@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections import Counter
 from itertools import pairwise, permutations
+from math import lcm
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -15,6 +17,7 @@ from omnistudy.protocol.ordering.permuted_blocks import PermutedBlocks
 from omnistudy.protocol.ordering.published_blocks import PublishedBlocks
 from omnistudy.protocol.ordering.staircase import Staircase
 from omnistudy.protocol.ordering.williams import Williams
+from omnistudy.protocol.routes import spread_routes
 
 LAST = ("centre_front_10", "centre_front_20", "centre_rear_10", "zero_torque")
 PUBLISHED = PublishedBlocks(blocks=("none", "full"), last=LAST)
@@ -88,6 +91,21 @@ def test_in_williams_squares_each_condition_follows_each_other_equally_often(
     period = Williams().period(names(size))
     assert period == (size if size % 2 == 0 else 2 * size)
     assert after_each_other(rows(Williams(), size, period, seed)) == {period // size}
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("routes", [1, 2, 3, 4])
+@pytest.mark.parametrize("order", [Latin(), Williams()], ids=["latin", "williams"])
+def test_every_condition_meets_every_route_equally_often(
+    order: PlannedOrder, routes: int, size: int
+) -> None:
+    count = lcm(order.period(names(size)), routes)
+    met: Counter[tuple[str, str]] = Counter()
+    for row, line in enumerate(rows(order, size, count, "seed")):
+        drawn = spread_routes("abcd"[:routes], line, row, np.random.default_rng(row))
+        met.update(zip(line, drawn, strict=True))
+    assert len(met) == size * routes
+    assert set(met.values()) == {count // routes}
 
 
 @pytest.mark.parametrize("size", SIZES)
