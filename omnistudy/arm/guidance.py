@@ -13,8 +13,11 @@ from omnistudy.geometry import PlanarPose
 
 Floats = NDArray[np.float64]
 
-TWIST, WITH_BEARING, WITH_GOAL = 6, 7, 10
-"""How many numbers a device may give."""
+TWIST, WITH_BEARING, WITH_GOAL, WITH_CHAIR = 6, 7, 10, 12
+"""How many numbers a device may give; more are the posture's."""
+
+NOWHERE, UNLED = PlanarPose(nan, nan, nan), (nan, nan)
+"""Numbers that stand for no goal and no rates of the chair."""
 
 
 class Guidance(NamedTuple):
@@ -24,31 +27,48 @@ class Guidance(NamedTuple):
     bearing : direction on the floor into which the whole path leads, rad from the ground's x
         axis; nan when there is no path, as with a person's device.
     chair_goal : where the chair should end; None when nobody cares.
+    chair_rates : drive in m/s and turn in rad/s of the chair at the same time; None leaves the
+        chair to the controller.
+    posture : (n,) rates of the joints, rad/s, that suit best where there is a choice, or None.
     """
 
     twist: Floats
     bearing: float = nan
     chair_goal: PlanarPose | None = None
+    chair_rates: tuple[float, float] | None = None
+    posture: Floats | None = None
 
     @property
     def numbers(self) -> tuple[float, ...]:
-        """Give the same as positions of a device's axes: 6, 7 or 10 of them."""
+        """Give the same as positions of a device's axes: 6, 7, 10, or 12 and the posture's."""
         twist = tuple(self.twist.tolist())
+        if self.chair_rates is not None or self.posture is not None:
+            posture = () if self.posture is None else tuple(self.posture.tolist())
+            goal, rates = self.chair_goal or NOWHERE, self.chair_rates or UNLED
+            return (*twist, self.bearing, *goal, *rates, *posture)
         if self.chair_goal is not None:
             return (*twist, self.bearing, *self.chair_goal)
         return twist if isnan(self.bearing) else (*twist, self.bearing)
 
     @classmethod
     def read(cls, numbers: tuple[float, ...]) -> Guidance:
-        """Read a device's position: a twist, and perhaps a bearing, and perhaps a chair's goal.
+        """Read a device's position: a twist, and perhaps more of what `numbers` gives.
 
         Raises BadGuidance.
         """
-        if len(numbers) not in (TWIST, WITH_BEARING, WITH_GOAL):
-            raise BadGuidance(len(numbers))
-        bearing = numbers[TWIST] if len(numbers) > TWIST else nan
-        goal = PlanarPose(*numbers[WITH_BEARING:]) if len(numbers) == WITH_GOAL else None
-        return cls(np.array(numbers[:TWIST]), bearing, goal)
+        given = len(numbers)
+        if given not in (TWIST, WITH_BEARING, WITH_GOAL) and given < WITH_CHAIR:
+            raise BadGuidance(given)
+        bearing = numbers[TWIST] if given > TWIST else nan
+        goal = PlanarPose(*numbers[WITH_BEARING:WITH_GOAL]) if given >= WITH_GOAL else None
+        if goal is not None and isnan(goal.x):
+            goal = None
+        rates = posture = None
+        if given >= WITH_CHAIR and not isnan(numbers[WITH_GOAL]):
+            rates = (numbers[WITH_GOAL], numbers[WITH_GOAL + 1])
+        if given > WITH_CHAIR:
+            posture = np.array(numbers[WITH_CHAIR:])
+        return cls(np.array(numbers[:TWIST]), bearing, goal, rates, posture)
 
     def heading_wanted(self) -> float:
         """Give the bearing, else where the twist leads over the floor; nan when it leads nowhere.

@@ -3,23 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import atan2, hypot, nan
 
-from omnistudy.arm.chair_route import ChairRoute
 from omnistudy.arm.check import check_task, start_of
-from omnistudy.arm.configuration import ArmState, Configuration
-from omnistudy.arm.duration import durations
-from omnistudy.arm.guidance import Guidance
-from omnistudy.arm.paths import Path
+from omnistudy.arm.configuration import Configuration
 from omnistudy.arm.run import ArmRun, ArmStep, Moment, measured
-from omnistudy.arm.task import ArmTask, Motion
-from omnistudy.controllers import Controller
-from omnistudy.devices import DeviceState
+from omnistudy.arm.task import ArmTask
 from omnistudy.errors.arm import ImpossibleTask
-from omnistudy.geometry.rigid_motion import pose_error, sine_error
-
-LEADS_NOWHERE = 1e-6
-"""m over the floor below which a path has no bearing."""
+from omnistudy.session.follow_arm import bearing, follow
+from omnistudy.session.plan_arm import (
+    PlannedMotion,
+    as_published,
+    controller_of,
+    is_led,
+    plan_task,
+)
 
 
 def refuse_impossible(task: ArmTask, advance: Callable[..., None] | None = None) -> None:
@@ -35,13 +32,17 @@ def refuse_impossible(task: ArmTask, advance: Callable[..., None] | None = None)
 def solve_task(task: ArmTask, advance: Callable[..., None] | None = None) -> ArmRun:
     """Run all motions, one after the other; gives every step.
 
-    advance : told after each motion. Raises ImpossibleStart, UnknownArm or BrokenArmPage.
+    Motions of a controller that leads the chair are planned first, the others go as published.
+    advance : told after each motion. Raises ImpossibleStart, UnknownArm, BrokenArmPage, or
+    ImpossibleTask when there is no plan.
     """
     at = start_of(task)
+    planned = plan_task(task).motions if is_led(task) else None
     steps: list[ArmStep] = []
     t = 0.0
-    for motion in task.motions:
-        done, at, t = _motion(task, motion, at, t)
+    for index, motion in enumerate(task.motions):
+        plan = as_published(task, motion, at) if planned is None else planned[index]
+        done, at, t = _motion(task, plan, at, t)
         steps.extend(done)
         if advance is not None:
             advance()
@@ -49,44 +50,26 @@ def solve_task(task: ArmTask, advance: Callable[..., None] | None = None) -> Arm
 
 
 def _motion(
-    task: ArmTask, motion: Motion, at: Configuration, began: float
+    task: ArmTask, plan: PlannedMotion, at: Configuration, began: float
 ) -> tuple[list[ArmStep], Configuration, float]:
-    """Lead the hand along one path: at each step all that is missing is asked for at once."""
-    controller: Controller = motion.controller or task.controller
-    path = motion.path(at.hand, at.base)
-    chair = at.body.profile.chair
-    count, dt = _steps(task, motion, path, at)
-    bearing, goal = _bearing(path), motion.chair_goal.pose if motion.chair_goal else None
-    difference = pose_error if task.error == "logarithm" else sine_error
-    route = None if goal is None else ChairRoute.of_chair(chair, at.chair, goal)
-    state, driven = controller.initial_state(), 0.0
-    steps = []
-    for step in range(count + 1):
-        u = step / count if count else 1.0
-        wanted = path.pose(motion.timing.share(u))
-        aside = route and route.chair_pose(chair, route.shares(u, chair, motion.timing))
-        guidance = Guidance(difference(at.hand, wanted) / dt, bearing, goal)
-        device = DeviceState(guidance.numbers, (0.0,) * len(guidance.numbers))
-        control = controller.control(device, ArmState(at), None, state, dt)
-        state, at = control.state, at.moved(control.command, dt)
-        driven += float(control.command[at.body.count]) * dt
+    lead, dt = plan.lead, plan.pace.dt
+    direction, driven, t = bearing(lead), 0.0, began
+    steps: list[ArmStep] = []
+    controller = controller_of(task, plan.motion)
+    for step, done in enumerate(follow(controller, lead, at, plan.pace, task)):
+        at = done.at
+        driven += done.drive
+        t = began + step * dt
         moment = Moment(
-            motion.name, step, began + step * dt, at, wanted, aside, driven, bearing, state.report
+            motion=plan.motion.name,
+            step=step,
+            t=t,
+            configuration=at,
+            wanted=lead.hand(done.u),
+            wanted_chair=lead.chair(done.u),
+            driven=driven,
+            bearing=direction,
+            report=done.report,
         )
         steps.append(measured(moment))
-    return steps, at, began + (count + 1) * dt
-
-
-def _steps(task: ArmTask, motion: Motion, path: Path, at: Configuration) -> tuple[int, float]:
-    """Give how many steps follow the first, and how long each is in s."""
-    needed = durations(motion, path, at)
-    duration = needed.hand if motion.pace == "hand" else needed.longest
-    if duration == 0.0:
-        return 0, task.step
-    count = max(1, round(duration / task.step))
-    return count, duration / count
-
-
-def _bearing(path: Path) -> float:
-    x, y = path.leads.tolist()
-    return atan2(y, x) if hypot(x, y) > LEADS_NOWHERE else nan
+    return steps, at, t + dt
