@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from omnistudy.arm.chair import axle, base_frame, driven
+from omnistudy.arm.chair import axle, base_frame
 from omnistudy.arm.chair_route import ChairRoute
 from omnistudy.arm.configuration import Configuration
 from omnistudy.arm.lead import CarriedLead, ChairLead, FoldedLead, Lead, PostureLead, WorldLead
@@ -28,7 +28,9 @@ HEADINGS = tuple(k * pi / 4 for k in (0, 1, -1, 2, -2, 3, -3, 4))
 REACHES = tuple((x, y) for x in (0.35, 0.6, 0.85) for y in (-0.25, 0.1, 0.45))
 """m from the arm's base to the hand in a stand-off, in axes of the chair; ours."""
 
-BACKWARDS = (-0.3, 0.3, -0.6, 0.6, -0.9, -1.2)
+NO_WAY = (0.0, 0.0, 0.0)
+
+STRAIGHT = (-0.3, 0.3, -0.6, 0.6, -0.9, -1.2)
 """m that the chair may go straight while the hand keeps to a path over the ground; ours."""
 
 
@@ -87,17 +89,17 @@ def _to(motion: Motion, at: Configuration, goal: PlanarPose, joints: Floats) -> 
     posture = PostureLead(at.joints, joints, timing)
     if not motion.carried:
         duration = max(motion.hand_duration(path), driving)
-        yield Way(WorldLead(path, timing, way, posture), duration, f"straight {says}")
+        yield Way(WorldLead(path, timing, way, posture), duration, f"over the ground {says}")
         return
     end = at.body.frames(joints)[-1]
     seen = LinePath(at.frames[-1], end)
     duration = max(motion.hand_duration(path), motion.hand_duration(seen), driving)
-    yield Way(CarriedLead(seen, timing, way, posture), duration, f"carried {says}")
+    yield Way(CarriedLead(seen, timing, way, posture), duration, f"carried by the chair {says}")
     for through in ((), (np.array(at.body.profile.ready),)):
         folds = (at.joints, *through, joints)
         turning = sum(_folding(at, a, b) for a, b in zip(folds, folds[1:], strict=False))
         duration = max(motion.hand_duration(path), turning * timing.peak, driving)
-        yield Way(FoldedLead(folds, timing, way), duration, f"carried with folded arm {says}")
+        yield Way(FoldedLead(folds, timing, way), duration, f"folded on the chair {says}")
 
 
 def _folding(at: Configuration, begin: Floats, end: Floats) -> float:
@@ -107,14 +109,15 @@ def _folding(at: Configuration, begin: Floats, end: Floats) -> float:
 
 
 def _over_ground(motion: Motion, at: Configuration) -> Iterator[Way]:
-    """Keep the hand to its path: the chair stands, goes straight, or goes as it likes."""
-    path = motion.path(at.hand, at.base)
-    chair, timing = at.body.profile.chair, motion.timing
+    """Keep the hand to its path: the chair stands, goes as it likes, or goes straight."""
+    path, timing = motion.path(at.hand, at.base), motion.timing
+    chair = at.body.profile.chair
     hand = motion.hand_duration(path)
-    for way in (0.0, *BACKWARDS):
-        goal = driven(chair, at.chair, way, 0.0)
+    still = ChairLead(at.body, ChairRoute(axle(chair, at.chair), NO_WAY), timing)
+    yield Way(WorldLead(path, timing, still), hand, "over the ground while the chair stands")
+    yield Way(WorldLead(path, timing), hand, "over the ground while the chair goes as it likes")
+    for way in STRAIGHT:
         route = ChairRoute(axle(chair, at.chair), (0.0, way, 0.0))
         duration = max(hand, route.duration(chair, timing))
-        says = f"while the chair goes {way:+.1f} m" if way else "while the chair stands"
+        says = f"over the ground while the chair goes {way:+.1f} m"
         yield Way(WorldLead(path, timing, ChairLead(at.body, route, timing)), duration, says)
-    yield Way(WorldLead(path, timing), hand, "while the chair goes as it likes")

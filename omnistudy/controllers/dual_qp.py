@@ -62,7 +62,7 @@ class DualQp(LedController):
     """Zones further off are not looked at; more than a point can go in one step. Ours."""
     approach: Annotated[Ratio, Field(gt=0, le=1)] = 0.3
     """Share of the room to a limit or a zone that one step may take; ours."""
-    slowing: Annotated[Ratio, Positive] = 0.01
+    slowing: Annotated[Ratio, Positive] = 0.001
     """What it costs to stand still, of what it costs to leave the path as far; ours."""
     effort: Annotated[Ratio, Positive] = 1e-8
     """In (m/s)^2, of a joint at its greatest rate; damps what is singular. Ours."""
@@ -97,7 +97,7 @@ class DualQp(LedController):
         if guidance.chair_rates is not None:
             drive, turn = guidance.chair_rates
             rates = np.append(rates, (share * drive, share * turn))
-        hits = () if share >= FULL else self._hits(optimum.prices, programme, at, near)
+        hits = () if share >= FULL else self._hits(optimum.prices, programme, at, near, guidance)
         return Control(device.position, rates, DualMemory(StepReport(hits=hits, progress=share)))
 
     def _hand(self, guidance: Guidance, at: Configuration) -> tuple[Floats, Floats]:
@@ -189,12 +189,15 @@ class DualQp(LedController):
         """Give the greatest share that a led chair can do."""
         if guidance.chair_rates is None:
             return 1.0
-        top = at.body.top_rates[at.body.count :].tolist()
-        pairs = zip(guidance.chair_rates, top, strict=True)
-        return 1.0 / max(1.0, *(abs(rate) / limit for rate, limit in pairs))
+        return 1.0 / max(1.0, *_over(guidance.chair_rates, at))
 
     def _hits(
-        self, prices: Floats, programme: Programme, at: Configuration, near: Clearance | None
+        self,
+        prices: Floats,
+        programme: Programme,
+        at: Configuration,
+        near: Clearance | None,
+        guidance: Guidance,
     ) -> tuple[str, ...]:
         """Name the bounds that the solution presses against."""
         size = len(programme.linear) - 1
@@ -206,13 +209,15 @@ class DualQp(LedController):
                 fast = abs(bound) >= at.body.top_rates[index]
                 names.append(f"{'speed' if fast else 'limit'} {index + 1}")
             elif index == size:
-                names.extend(
-                    f"speed {count + 1 + i}" for i in self._limiting(programme.upper[size])
-                )
+                over = _over(guidance.chair_rates or (0.0, 0.0), at)
+                names.extend(f"speed {count + 1 + i}" for i in (0, 1) if over[i] == max(1.0, *over))
             elif near is not None:
                 zone = at.body.profile.zones[int(near.zones[index - size - 1])]
                 names.append(f"zone {zone.name}")
         return tuple(dict.fromkeys(names))
 
-    def _limiting(self, fastest: float) -> tuple[int, ...]:
-        return (0,) if fastest < 1.0 else ()
+
+def _over(chair_rates: tuple[float, float], at: Configuration) -> tuple[float, float]:
+    """Give drive and turn over the chair's greatest ones."""
+    drive, turn = at.body.top_rates[at.body.count :].tolist()
+    return abs(chair_rates[0]) / drive, abs(chair_rates[1]) / turn

@@ -57,11 +57,14 @@ class ImpossibleStart(OmnistudyError):
 class ImpossibleTask(OmnistudyError):
     """A task that no chair pose makes possible."""
 
-    def __init__(self, motion: str, answer: str) -> None:
-        super().__init__(
-            f"motion '{motion}' is refused before anything moves: {answer}; move its goal, or run "
-            "it anyway with --unchecked"
-        )
+    def __init__(
+        self,
+        motion: str,
+        answer: str,
+        remedy: str = "move its goal, or run it anyway with --unchecked",
+    ) -> None:
+        super().__init__(f"motion '{motion}' is refused before anything moves: {answer}; {remedy}")
+        self.motion = motion
 
 
 class BrokenRun(OmnistudyError):

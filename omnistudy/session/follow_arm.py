@@ -25,10 +25,14 @@ NO_PROGRESS, PATIENCE = 1e-3, 100
 """Less than this share of a step on average, over so many steps, is to be stuck; ours."""
 
 
+LONGEST = 10
+"""A motion may take this many times its steps at full speed; ours."""
+
+
 class Pace(NamedTuple):
     """How many steps follow the first at full speed, and how long each is in s."""
 
-    count: int
+    steps: int
     dt: float
 
 
@@ -52,14 +56,14 @@ def follow(
 ) -> Iterator[Followed]:
     """Ask at each step for all that is missing, and go on by what was done of it.
 
-    Ends when the lead's end is asked for and reached, or when there is no more progress.
+    Ends when the lead's end is asked for and reached, or when there is hardly any progress left.
     """
     state, direction, goal = controller.initial_state(), bearing(lead), lead.chair(1.0)
-    difference = pose_error if task.error == "logarithm" else sine_error
     led = isinstance(controller, LedController)
-    asked, since, last = 0.0, 0, 0.0
-    while True:
-        u = asked / pace.count if pace.count else 1.0
+    difference = sine_error if task.error == "legacy" and not led else pose_error
+    asked, last = 0.0, 0.0
+    for step in range(1, LONGEST * pace.steps + 2 * PATIENCE):
+        u = asked / pace.steps if pace.steps else 1.0
         chair = lead.chair(u)
         guidance = Guidance(difference(at.hand, lead.hand(u)) / pace.dt, direction, goal)
         if led:
@@ -76,12 +80,11 @@ def follow(
         yield Followed(at, u, drive, report)
         if u >= 1.0 and report.progress >= ARRIVED:
             return
-        asked = min(asked + report.progress, float(pace.count))
-        since += 1
-        if since == PATIENCE:
+        asked = min(asked + report.progress, float(pace.steps))
+        if step % PATIENCE == 0:
             if asked - last < NO_PROGRESS * PATIENCE:
                 return
-            since, last = 0, asked
+            last = asked
 
 
 def _towards(at: Configuration, wanted: PlanarPose, dt: float) -> tuple[float, float]:

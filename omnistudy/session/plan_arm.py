@@ -7,25 +7,24 @@ gone through again step by step, and is then what the task does.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from itertools import islice
-from math import degrees
+from math import radians
 from typing import NamedTuple
 
 import numpy as np
 
 from omnistudy.arm.chair_route import ChairRoute
-from omnistudy.arm.check import start_of
+from omnistudy.arm.check import PoseCheck, start_of
 from omnistudy.arm.configuration import Configuration
 from omnistudy.arm.duration import durations
 from omnistudy.arm.lead import ChairLead, Lead, WorldLead
-from omnistudy.arm.stand_off import in_words
+from omnistudy.arm.stand_off import in_words, nearest_stand_off
 from omnistudy.arm.task import ArmTask, Motion
-from omnistudy.arm.ways import Way, ways
+from omnistudy.arm.ways import ways
 from omnistudy.controllers import Controller
 from omnistudy.controllers.led import LedController
 from omnistudy.errors.arm import ImpossibleTask
 from omnistudy.geometry.rigid_motion import pose_error
-from omnistudy.session.follow_arm import Pace, follow
+from omnistudy.session.follow_arm import ARRIVED, Followed, Pace, follow
 
 COARSE = 4
 """Steps of a task that the first look takes at once."""
@@ -33,17 +32,21 @@ COARSE = 4
 MOST_TRIES = 600
 """Ways looked at in all, before a task is given up."""
 
-HAND_ARRIVES = (1e-3, np.radians(0.2))
-"""m, rad."""
+ARRIVES = (1e-4, radians(0.02))
+"""m, rad within which the hand is at the end of its way."""
 
-OFF_THE_WAY = (0.01, np.radians(2.0))
-"""m, rad that the hand may be off its way at any time."""
+KEEPS = (1e-3, radians(0.2))
+"""m, rad within which it is on its way; in a coarse look `COARSE` times as much."""
+
+CHANGE_IT = "give it another goal or another chair_goal, or let the hand be carried"
+"""What to do with a task that is refused."""
 
 
 class PlannedMotion(NamedTuple):
     """One motion, and how it is done."""
 
     motion: Motion
+    start: Configuration
     lead: Lead
     pace: Pace
     says: str = ""
@@ -85,7 +88,9 @@ def as_published(task: ArmTask, motion: Motion, at: Configuration) -> PlannedMot
     if motion.chair_goal is not None:
         route = ChairRoute.of_chair(at.body.profile.chair, at.chair, motion.chair_goal.pose)
         way = ChairLead(at.body, route, motion.timing)
-    return PlannedMotion(motion, WorldLead(path, motion.timing, way), _pace(duration, task.step))
+    return PlannedMotion(
+        motion, at, WorldLead(path, motion.timing, way), _pace(duration, task.step)
+    )
 
 
 def plan_task(task: ArmTask, advance: Callable[..., None] | None = None) -> Plan:
@@ -97,7 +102,7 @@ def plan_task(task: ArmTask, advance: Callable[..., None] | None = None) -> Plan
     for plan in search.plans(start_of(task), ()):
         if search.holds(plan):
             return Plan(plan, search.tries)
-    raise ImpossibleTask(*search.refusal)
+    raise ImpossibleTask(*search.refusal, CHANGE_IT)
 
 
 class _Search:
@@ -150,19 +155,21 @@ class _Search:
             yield as_published(self.task, motion, at)
             return
         for way in ways(motion, at):
-            yield PlannedMotion(motion, way.lead, _pace(way.duration, self.task.step), way.says)
+            yield PlannedMotion(motion, at, way.lead, _pace(way.duration, self.task.step), way.says)
 
     def _tried(self, planned: PlannedMotion, at: Configuration, coarse: int) -> Outcome:
         pace = planned.pace
-        if coarse > 1 and pace.count > coarse:
-            count = -(-pace.count // coarse)
-            pace = Pace(count, pace.dt * pace.count / count)
+        if coarse > 1 and pace.steps > coarse:
+            steps = -(-pace.steps // coarse)
+            pace = Pace(steps, pace.dt * pace.steps / steps)
         controller = controller_of(self.task, planned.motion)
-        off = False
+        off = (0.0, 0.0)
+        led = isinstance(controller, LedController)
         for done in follow(controller, planned.lead, at, pace, self.task):
-            error = pose_error(done.at.hand, planned.lead.hand(done.u))
-        way, turn = float(np.linalg.norm(error[:3])), float(np.linalg.norm(error[3:]))
-        arrived = done.u >= 1.0 and way <= HAND_ARRIVES[0] and turn <= HAND_ARRIVES[1] and not off
+            off = _off(done, planned.lead)
+            if led and _beyond(off, KEEPS, coarse) and done.report.progress >= ARRIVED:
+                break
+        arrived = done.u >= 1.0 and not _beyond(off, ARRIVES)
         return Outcome(done.at, done.u, arrived, done.report.hits)
 
     def _remember(self, index: int, planned: PlannedMotion, outcome: Outcome) -> None:
@@ -171,18 +178,42 @@ class _Search:
             return
         self._furthest = (index, outcome.share)
         held = f", held by {' and '.join(outcome.hits)}" if outcome.hits else ""
+        path = planned.motion.path(planned.start.hand, planned.start.base)
+        end = PoseCheck(planned.motion.name, 1.0, nearest_stand_off(planned.start, path.pose(1.0)))
         self.refusal = (
             planned.motion.name,
-            f"of the ways that were tried the best {planned.says} comes to a stand after "
-            f"{100 * outcome.share:.0f} % of its time{held}, with the chair at "
-            f"{in_words(outcome.at.chair)}",
+            f"the way that came furthest, {planned.says}, stops after "
+            f"{100 * outcome.share:.0f} % of it{held}; its end {end.answer}",
         )
 
     def _refuse_pose(self, index: int, motion: Motion, at: Configuration) -> None:
+        """Say that there is not even a posture to end in."""
         if (index, 0.0) <= self._furthest:
             return
         self._furthest = (index, 0.0)
-        self.refusal = (motion.name, "nothing")
+        path = motion.path(at.hand, at.base)
+        if motion.chair_goal is None:
+            nearest = nearest_stand_off(at, path.pose(1.0))
+            self.refusal = (motion.name, f"its end: {PoseCheck(motion.name, 1.0, nearest).answer}")
+            return
+        there = Configuration(at.body, at.joints, motion.chair_goal.pose)
+        nearest = nearest_stand_off(there, path.pose(1.0))
+        self.refusal = (
+            motion.name,
+            f"with the chair at its goal, {in_words(there.chair)}, no posture was found that brings "
+            f"the hand to its own and enters no zone; it "
+            f"{PoseCheck(motion.name, 1.0, nearest).answer}",
+        )
+
+
+def _off(done: Followed, lead: Lead) -> tuple[float, float]:
+    """Give m and rad from the hand to where it is led."""
+    error = pose_error(done.at.hand, lead.hand(done.u))
+    return float(np.linalg.norm(error[:3])), float(np.linalg.norm(error[3:]))
+
+
+def _beyond(off: tuple[float, float], bounds: tuple[float, float], times: float = 1.0) -> bool:
+    return off[0] > times * bounds[0] or off[1] > times * bounds[1]
 
 
 def _pace(duration: float, step: float) -> Pace:
