@@ -13,7 +13,7 @@ from omnistudy.geometry import PlanarPose
 
 Floats = NDArray[np.float64]
 
-TWIST, WITH_BEARING, WITH_GOAL, WITH_CHAIR = 6, 7, 10, 12
+TWIST, WITH_BEARING, WITH_GOAL, LED = 6, 7, 10, 18
 """How many numbers a device may give; more are the posture's."""
 
 NOWHERE, UNLED = PlanarPose(nan, nan, nan), (nan, nan)
@@ -29,6 +29,7 @@ class Guidance(NamedTuple):
     chair_goal : where the chair should end; None when nobody cares.
     chair_rates : drive in m/s and turn in rad/s of the chair at the same time; None leaves the
         chair to the controller.
+    correction : (6,) what of the twist only brings the hand back to its way.
     posture : (n,) rates of the joints, rad/s, that suit best where there is a choice, or None.
     """
 
@@ -36,16 +37,17 @@ class Guidance(NamedTuple):
     bearing: float = nan
     chair_goal: PlanarPose | None = None
     chair_rates: tuple[float, float] | None = None
+    correction: Floats | None = None
     posture: Floats | None = None
 
     @property
     def numbers(self) -> tuple[float, ...]:
-        """Give the same as positions of a device's axes: 6, 7, 10, or 12 and the posture's."""
+        """Give the same as positions of a device's axes: 6, 7, 10, or 18 and the posture's."""
         twist = tuple(self.twist.tolist())
-        if self.chair_rates is not None or self.posture is not None:
-            posture = () if self.posture is None else tuple(self.posture.tolist())
+        if self.correction is not None:
+            posture = () if self.posture is None else self.posture.tolist()
             goal, rates = self.chair_goal or NOWHERE, self.chair_rates or UNLED
-            return (*twist, self.bearing, *goal, *rates, *posture)
+            return (*twist, self.bearing, *goal, *rates, *self.correction.tolist(), *posture)
         if self.chair_goal is not None:
             return (*twist, self.bearing, *self.chair_goal)
         return twist if isnan(self.bearing) else (*twist, self.bearing)
@@ -57,18 +59,21 @@ class Guidance(NamedTuple):
         Raises BadGuidance.
         """
         given = len(numbers)
-        if given not in (TWIST, WITH_BEARING, WITH_GOAL) and given < WITH_CHAIR:
+        if given not in (TWIST, WITH_BEARING, WITH_GOAL) and given < LED:
             raise BadGuidance(given)
         bearing = numbers[TWIST] if given > TWIST else nan
         goal = PlanarPose(*numbers[WITH_BEARING:WITH_GOAL]) if given >= WITH_GOAL else None
-        if goal is not None and isnan(goal.x):
-            goal = None
-        rates = posture = None
-        if given >= WITH_CHAIR and not isnan(numbers[WITH_GOAL]):
-            rates = (numbers[WITH_GOAL], numbers[WITH_GOAL + 1])
-        if given > WITH_CHAIR:
-            posture = np.array(numbers[WITH_CHAIR:])
-        return cls(np.array(numbers[:TWIST]), bearing, goal, rates, posture)
+        plain = cls(np.array(numbers[:TWIST]), bearing, goal)
+        return plain if given < LED else plain._with_lead(numbers)
+
+    def _with_lead(self, numbers: tuple[float, ...]) -> Guidance:
+        goal, rates = self.chair_goal, numbers[WITH_GOAL : WITH_GOAL + 2]
+        return self._replace(
+            chair_goal=None if goal is None or isnan(goal.x) else goal,
+            chair_rates=None if isnan(rates[0]) else (rates[0], rates[1]),
+            correction=np.array(numbers[LED - TWIST : LED]),
+            posture=np.array(numbers[LED:]) if len(numbers) > LED else None,
+        )
 
     def heading_wanted(self) -> float:
         """Give the bearing, else where the twist leads over the floor; nan when it leads nowhere.

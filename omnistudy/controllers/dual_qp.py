@@ -31,6 +31,8 @@ SLOWEST = 0.005
 FULL = 1.0 - 1e-6
 """From this share on nothing counts as held back."""
 
+NOTHING = np.zeros(6)
+
 ENDLESS = 1e30
 """Stands for no bound."""
 
@@ -44,8 +46,8 @@ class DualMemory(NamedTuple):
 class DualQp(LedController):
     """One quadratic programme a step over joints' rates V, the chair's, and a share s of the step.
 
-    |J V - s r|^2 + slowing |r|^2 (1 - s)^2 + effort |V - s p|^2, where r is the hand's twist that
-    is asked for, p the posture's rates. A chair that is led does s times its rates, so hand and
+    |J V - s r - c|^2 + slowing |r|^2 (1 - s)^2 + effort |V - p|^2, where r is the hand's twist that
+    is asked for, c what brings it back to its way, p the posture's rates. A chair that is led does s times its rates, so hand and
     chair stay on one path parameter and slow together instead of leaving the path (as Drake's
     differential inverse kinematics does for a hand alone). The chair rolls on its wheels: it has no
     sideways rate. Joint and speed limits and zones are bounds; to stand still always keeps them.
@@ -64,7 +66,7 @@ class DualQp(LedController):
     """Share of the room to a limit or a zone that one step may take; ours."""
     slowing: Annotated[Ratio, Positive] = 0.001
     """What it costs to stand still, of what it costs to leave the path as far; ours."""
-    effort: Annotated[Ratio, Positive] = 1e-8
+    effort: Annotated[Ratio, Positive] = 1e-9
     """In (m/s)^2, of a joint at its greatest rate; damps what is singular. Ours."""
     posture: Annotated[Ratio, Field(ge=0)] = 0.1
     """1/s, towards the ready posture in what freedom is left, unless a posture is led; ours."""
@@ -84,9 +86,8 @@ class DualQp(LedController):
         """Take a twist, and perhaps the chair's rates and a posture; give (n + 2) rates."""
         at: Configuration = plant_state.configuration
         guidance = Guidance.read(device.position)
-        columns, wanted = self._hand(guidance, at)
         near = self._near(at)
-        programme = self._programme(guidance, at, columns, wanted, near, dt)
+        programme = self._programme(guidance, at, near, dt)
         optimum = solve(programme)
         count = at.body.count
         if optimum.x is None:
@@ -100,31 +101,34 @@ class DualQp(LedController):
         hits = () if share >= FULL else self._hits(optimum.prices, programme, at, near, guidance)
         return Control(device.position, rates, DualMemory(StepReport(hits=hits, progress=share)))
 
-    def _hand(self, guidance: Guidance, at: Configuration) -> tuple[Floats, Floats]:
-        """Give the hand's twist per rate and what is wanted of it, turns counted in m.
+    def _hand(self, guidance: Guidance, at: Configuration) -> tuple[Floats, Floats, Floats]:
+        """Give the hand's twist per rate, what is asked for, and what is missing; turns in m.
 
-        Both in axes of the arm's base. Columns are the joints; the chair's two as well when nobody
-        leads it, else what it does is taken off what is wanted.
+        All in axes of the arm's base. Columns are the joints; the chair's two as well when nobody
+        leads it, else what it does is taken off what is asked for.
         """
-        twist = guidance.twist
+        count = at.body.count
+        missing = NOTHING if guidance.correction is None else guidance.correction
+        asked = np.array((guidance.twist - missing, missing))
         if self.frame != "wheelchair":
-            frame = at.base if self.frame == "ground" else at.frames[-1]
-            turned = frame[:3, :3].T if self.frame == "ground" else frame[:3, :3]
-            twist = (turned @ twist.reshape(2, 3).T).T.reshape(6)
+            frame = at.base[:3, :3] if self.frame == "ground" else at.frames[-1, :3, :3].T
+            asked = (asked.reshape(4, 3) @ frame).reshape(2, 6)
         x, y = at.frames[-1, :2, 3].tolist()
-        chair = hand_per_rates(at.body.profile.chair, 0.0, (x, y))
-        columns = at.arm_jacobian
+        profile = at.body.profile.chair
+        led = guidance.chair_rates is not None
+        columns = np.zeros((6, count if led else count + 2))
+        columns[:, :count] = at.arm_jacobian
         if guidance.chair_rates is None:
-            columns = np.concatenate((columns, chair), axis=1)
-            wanted = twist.copy()
+            columns[:, count:] = hand_per_rates(profile, 0.0, (x, y))
         else:
-            columns = columns.copy()
-            wanted = twist - chair @ guidance.chair_rates
+            drive, turn = guidance.chair_rates
+            asked[0, 0] -= drive - turn * (profile.arm_y + y)
+            asked[0, 1] -= turn * (profile.arm_x + x)
+            asked[0, 5] -= turn
         columns[3:] *= RADIAN
-        wanted[3:] *= RADIAN
-        if self.follows == "position":
-            return columns[:3], wanted[:3]
-        return columns, wanted
+        asked[:, 3:] *= RADIAN
+        kept = 6 if self.follows == "pose" else 3
+        return columns[:kept], asked[0, :kept], asked[1, :kept]
 
     def _near(self, at: Configuration) -> Clearance | None:
         if self.zones == "none":
@@ -132,34 +136,26 @@ class DualQp(LedController):
         return at.body.clearances.near(at.frames, self.zone_reach)
 
     def _programme(
-        self,
-        guidance: Guidance,
-        at: Configuration,
-        columns: Floats,
-        wanted: Floats,
-        near: Clearance | None,
-        dt: float,
+        self, guidance: Guidance, at: Configuration, near: Clearance | None, dt: float
     ) -> Programme:
         body = at.body
+        columns, asked, missing = self._hand(guidance, at)
         count, size = body.count, columns.shape[1]
-        task = np.empty((columns.shape[0], size + 1))
+        task = np.empty((len(columns), size + 1))
         task[:, :size] = columns
-        task[:, size] = -wanted
+        task[:, size] = -asked
         square = task.T @ task
+        linear = -(missing @ task)
         weights = self.effort / body.top_rates[:size] ** 2
-        linear = np.zeros(size + 1)
         square.flat[: size * (size + 2) : size + 2] += weights
         if guidance.posture is not None:
-            pull = weights[:count] * guidance.posture
-            square[:count, size] -= pull
-            square[size, :count] -= pull
-            square[size, size] += float(pull @ guidance.posture)
+            linear[:count] -= weights[:count] * guidance.posture
         elif self.posture > 0.0:
             home = np.asarray(body.profile.ready)
-            linear[:count] = weights[:count] * self.posture * (at.joints - home)
-        slowing = self.slowing * max(float(guidance.twist @ guidance.twist), SLOWEST * SLOWEST)
+            linear[:count] += weights[:count] * self.posture * (at.joints - home)
+        slowing = self.slowing * max(float(asked @ asked), SLOWEST * SLOWEST)
         square[size, size] += slowing
-        linear[size] = -slowing
+        linear[size] -= slowing
         lower, upper, rows = self._bounds(guidance, at, size, near, dt)
         return Programme(square, linear, rows, lower, upper)
 

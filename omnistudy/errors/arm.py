@@ -42,8 +42,8 @@ class BadGuidance(OmnistudyError):
     def __init__(self, given: int) -> None:
         super().__init__(
             f"an arm was led by {given} numbers: give 6 (the hand's twist), 7 (and the bearing of "
-            "its path), 10 (and x, y, theta of the chair's goal) or 12 and more (and the chair's "
-            "drive and turn, and rates of all joints that suit best)"
+            "its path), 10 (and x, y, theta of the chair's goal) or 18 and more (and the chair's "
+            "drive and turn, the part of the twist that corrects, and rates of all joints)"
         )
 
 

@@ -6,6 +6,9 @@ from collections.abc import Iterator
 from math import atan2, cos, hypot, nan, sin
 from typing import NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
 from omnistudy.arm.chair import axle
 from omnistudy.arm.configuration import ArmState, Configuration
 from omnistudy.arm.guidance import Guidance
@@ -18,12 +21,17 @@ from omnistudy.devices import DeviceState
 from omnistudy.geometry import PlanarPose, wrapped
 from omnistudy.geometry.rigid_motion import pose_error, sine_error
 
+Floats = NDArray[np.float64]
+
 ARRIVED = 0.999
 """Share of the last step that must be done, of what was asked for in it."""
 
 NO_PROGRESS, PATIENCE = 1e-3, 100
 """Less than this share of a step on average, over so many steps, is to be stuck; ours."""
 
+
+SETTLED = 1e-6
+"""m or rad; ours."""
 
 LONGEST = 10
 """A motion may take this many times its steps at full speed; ours."""
@@ -37,7 +45,10 @@ class Pace(NamedTuple):
 
 
 class Followed(NamedTuple):
-    """One step done: where it led, the share of the motion's time that it led to, what it took."""
+    """One step done.
+
+    u : share of the motion's time that it came to. drive : m that the chair's axle went forward.
+    """
 
     at: Configuration
     u: float
@@ -61,30 +72,40 @@ def follow(
     state, direction, goal = controller.initial_state(), bearing(lead), lead.chair(1.0)
     led = isinstance(controller, LedController)
     difference = sine_error if task.error == "legacy" and not led else pose_error
-    asked, last = 0.0, 0.0
+    done, last = -1.0, -1.0
     for step in range(1, LONGEST * pace.steps + 2 * PATIENCE):
-        u = asked / pace.steps if pace.steps else 1.0
-        chair = lead.chair(u)
-        guidance = Guidance(difference(at.hand, lead.hand(u)) / pace.dt, direction, goal)
+        before, u = _share(done, pace), _share(done + 1.0, pace)
+        chair, wanted = lead.chair(u), lead.hand(u)
+        guidance = Guidance(difference(at.hand, wanted) / pace.dt, direction, goal)
         if led:
             joints = lead.joints(u)
             guidance = guidance._replace(
                 chair_rates=None if chair is None else _towards(at, chair, pace.dt),
+                correction=pose_error(at.hand, lead.hand(before)) / pace.dt,
                 posture=None if joints is None else (joints - at.joints) / pace.dt,
             )
         device = DeviceState(guidance.numbers, (0.0,) * len(guidance.numbers))
         control = controller.control(device, ArmState(at), None, state, pace.dt)
         state, at = control.state, at.moved(control.command, pace.dt)
         report: StepReport = state.report
+        done += report.progress * min(1.0, pace.steps - done)
         drive = float(control.command[at.body.count]) * pace.dt
-        yield Followed(at, u, drive, report)
-        if u >= 1.0 and report.progress >= ARRIVED:
+        yield Followed(at, u if report.progress == 1.0 else _share(done, pace), drive, report)
+        if u >= 1.0 and report.progress >= ARRIVED and (not led or _settled(at, wanted)):
             return
-        asked = min(asked + report.progress, float(pace.steps))
         if step % PATIENCE == 0:
-            if asked - last < NO_PROGRESS * PATIENCE:
+            if done - last < NO_PROGRESS * PATIENCE:
                 return
-            last = asked
+            last = done
+
+
+def _share(steps: float, pace: Pace) -> float:
+    return min(max(steps / pace.steps, 0.0), 1.0) if pace.steps else 1.0
+
+
+def _settled(at: Configuration, wanted: Floats) -> bool:
+    """Whether what is left to correct is too little to speak of."""
+    return float(np.abs(pose_error(at.hand, wanted)).max()) < SETTLED
 
 
 def _towards(at: Configuration, wanted: PlanarPose, dt: float) -> tuple[float, float]:

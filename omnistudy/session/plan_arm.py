@@ -36,7 +36,7 @@ ARRIVES = (1e-4, radians(0.02))
 """m, rad within which the hand is at the end of its way."""
 
 KEEPS = (1e-3, radians(0.2))
-"""m, rad within which it is on its way; in a coarse look `COARSE` times as much."""
+"""m, rad within which it is on its way; in a coarse look `COARSE` squared times as much."""
 
 CHANGE_IT = "give it another goal or another chair_goal, or let the hand be carried"
 """What to do with a task that is refused."""
@@ -167,9 +167,9 @@ class _Search:
         led = isinstance(controller, LedController)
         for done in follow(controller, planned.lead, at, pace, self.task):
             off = _off(done, planned.lead)
-            if led and _beyond(off, KEEPS, coarse) and done.report.progress >= ARRIVED:
+            if led and _beyond(off, KEEPS, coarse**2):
                 break
-        arrived = done.u >= 1.0 and not _beyond(off, ARRIVES)
+        arrived = done.u >= ARRIVED and not _beyond(off, ARRIVES)
         return Outcome(done.at, done.u, arrived, done.report.hits)
 
     def _remember(self, index: int, planned: PlannedMotion, outcome: Outcome) -> None:
