@@ -38,8 +38,11 @@ class ArmBody:
             + self._with_cosine * np.cos(joints)[:, None, None]
             + self._with_sine * np.sin(joints)[:, None, None]
         )
-        for index in range(1, self.count):
-            np.matmul(steps[index - 1], steps[index], out=steps[index])
+        # each round joins runs of twice as many transforms: three products for seven joints
+        reach = 1
+        while reach < self.count:
+            steps[reach:] = steps[:-reach] @ steps[reach:]
+            reach *= 2
         return steps
 
     def jacobian(self, frames: Floats) -> Floats:

@@ -16,10 +16,10 @@ LOOKS = 40
 """Places along a path at which the joints' rates are estimated."""
 
 FLOOR = 1e-4
-"""Keeps the estimate finite where the arm is singular."""
+"""Keeps the walk's steps finite where the arm is singular; of J diag(top rates)^2 J'."""
 
-LONGEST = 5.0
-"""An estimate is at most this many times the hand's own duration."""
+LOST = 0.1
+"""Share of a step of the walk that may be left undone for its rates to count."""
 
 
 class Durations(NamedTuple):
@@ -47,21 +47,24 @@ def durations(motion: Motion, path: Path, start: Configuration) -> Durations:
         profile = start.body.profile.chair
         route = ChairRoute.of_chair(profile, start.chair, motion.chair_goal.pose)
         chair = route.duration(profile, motion.timing)
-    return Durations(hand, chair, _for_joints(path, start, hand * motion.timing.peak, hand))
+    return Durations(hand, chair, _for_joints(path, start, motion.timing.peak))
 
 
-def _for_joints(path: Path, start: Configuration, per_share: float, hand: float) -> float:
+def _for_joints(path: Path, start: Configuration, peak: float) -> float:
     """Walk the path with the rates that are least for their limits; give what the worst needs.
 
-    The rate at a place is its change per share, over the seconds per share at full speed.
+    A place where the walk loses the path says nothing: no duration would help there.
     """
     at, free = start, start.body.top_rates**2
     worst = 0.0
     for look in range(1, LOOKS + 1):
+        wanted = path.pose(look / LOOKS)
+        asked = pose_error(at.hand, wanted)
         columns = at.jacobian * free
         square = columns @ at.jacobian.T + FLOOR * np.eye(6)
-        change = np.linalg.solve(square, pose_error(at.hand, path.pose(look / LOOKS))) @ columns
-        worst = max(worst, float((np.abs(change) / start.body.top_rates).max()) * LOOKS)
+        change = np.linalg.solve(square, asked) @ columns
         at = at.moved(change, 1.0)
-    peak = per_share / hand if hand > 0.0 else 0.0
-    return min(worst * peak, LONGEST * hand)
+        left = pose_error(at.hand, wanted)
+        if np.linalg.norm(left) <= LOST * np.linalg.norm(asked):
+            worst = max(worst, float((np.abs(change) / start.body.top_rates).max()))
+    return worst * LOOKS * peak

@@ -71,13 +71,17 @@ one and is left out."""
 
 
 class Intrusions(NamedTuple):
-    """Which zones are entered, and how deep the deepest point lies inside its zone, m."""
+    """Which zones are entered.
+
+    names : each once. depths : (zones,) how far a point lies inside each, m; 0 outside.
+    """
 
     names: tuple[str, ...]
-    depth: float
+    depths: Floats
 
-
-NO_INTRUSION = Intrusions((), 0.0)
+    def deeper_than(self, other: Intrusions) -> bool:
+        """Whether any zone is entered deeper than before."""
+        return bool((self.depths > other.depths).any())
 
 
 class ZoneChecker:
@@ -85,9 +89,13 @@ class ZoneChecker:
 
     def __init__(self, zones: tuple[Zone, ...], arm_height: float) -> None:
         self._names = tuple(zone.name for zone in zones)
+        self._none = Intrusions((), np.zeros(len(zones)))
         self._joints = np.array([zone.joint - 1 for zone in zones], dtype=np.intp)
-        self._inside = np.array([z.seen_from == "joint" for z in zones], dtype=np.bool_)
-        self._frames = np.array([z.seen_from_joint - 1 for z in zones], dtype=np.intp)
+        self._seen_from_joints = [
+            (index, zone.seen_from_joint - 1)
+            for index, zone in enumerate(zones)
+            if zone.seen_from == "joint"
+        ]
         raised = np.array([arm_height if z.seen_from == "floor" else 0.0 for z in zones])
         bounds = np.array([[_ends(span) for span in (z.x, z.y, z.z)] for z in zones])
         bounds = bounds.reshape(-1, 3, 2)
@@ -100,17 +108,16 @@ class ZoneChecker:
         frames : (n, 4, 4), as ArmBody.frames gives them.
         """
         if not self._names:
-            return NO_INTRUSION
+            return self._none
         points = frames[self._joints, :3, 3]
-        for index in np.flatnonzero(self._inside):
-            frame = frames[self._frames[index]]
-            points[index] = frame[:3, :3].T @ (points[index] - frame[:3, 3])
+        for index, other in self._seen_from_joints:
+            frame = frames[other]
+            points[index] = (points[index] - frame[:3, 3]) @ frame[:3, :3]
         room = np.minimum(points - self._low, self._high - points).min(axis=1)
-        entered = np.flatnonzero(room >= 0.0)
-        if not entered.size:
-            return NO_INTRUSION
-        names = dict.fromkeys(self._names[index] for index in entered)
-        return Intrusions(tuple(names), float(room[entered].max()))
+        if room.max() < 0.0:
+            return self._none
+        names = dict.fromkeys(self._names[index] for index in (room >= 0.0).nonzero()[0])
+        return Intrusions(tuple(names), np.maximum(room, 0.0))
 
 
 def _ends(span: Span) -> tuple[float, float]:

@@ -182,7 +182,7 @@ class ResolvedRateController(Controller):
             return rates, hits
         if self.zones == "legacy":
             rates[: configuration.body.count] *= LEGACY_RETREAT
-        elif ahead.depth < configuration.intrusions.depth:
+        elif not ahead.deeper_than(configuration.intrusions):
             return rates, hits
         else:
             rates = np.zeros_like(rates)
@@ -191,14 +191,14 @@ class ResolvedRateController(Controller):
     def _slowed(self, rates: Floats, body: ArmBody) -> tuple[Floats, tuple[str, ...]]:
         top = body.top_rates
         over = np.abs(rates) / top
-        fast = over > 1.0
-        if not fast.any():
+        most = float(over.max())
+        if most <= 1.0:
             return rates, ()
-        hits = _named("speed", fast)
+        hits = _named("speed", over > 1.0)
         if self.speed_limits == "legacy":
             return np.clip(rates, -top, top), hits
-        return rates / float(over.max()), hits
+        return rates / most, hits
 
 
 def _named(what: str, which: NDArray[np.bool_]) -> tuple[str, ...]:
-    return tuple(f"{what} {index + 1}" for index in np.flatnonzero(which))
+    return tuple(f"{what} {index + 1}" for index in which.nonzero()[0]) if which.any() else ()

@@ -54,7 +54,15 @@ def test_each_of_the_labs_zones(place: dict[str, tuple[float, float, float]], zo
 def test_how_deep_is_told_by_the_nearest_face() -> None:
     # 3 cm below the lap's upper face, further from all its other ones
     found = LAB.intrusions(frames_at(j7=(0.2, -0.3, 0.49)))
-    assert (found.names, found.depth) == (("lap",), pytest.approx(0.03))
+    assert (found.names, found.depths.max()) == (("lap",), pytest.approx(0.03))
+
+
+def test_a_new_zone_is_deeper_even_when_an_old_one_is_being_left() -> None:
+    before = LAB.intrusions(frames_at(j7=(0.2, -0.3, 0.30)))
+    leaving = LAB.intrusions(frames_at(j7=(0.2, -0.3, 0.40)))
+    another = LAB.intrusions(frames_at(j7=(0.2, -0.3, 0.40), j3=(0.2, 0.099, 0.5)))
+    assert not leaving.deeper_than(before)
+    assert another.deeper_than(before)
 
 
 def test_the_floor_is_as_far_down_as_the_chair_is_high() -> None:
