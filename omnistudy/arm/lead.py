@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -125,7 +126,7 @@ class FoldedLead(Lead):
     @cached_property
     def _ends(self) -> Floats:
         """Shares of the path at which the postures are, by the greatest change of a joint."""
-        changes = [np.abs(b - a).max() for a, b in zip(self.postures, self.postures[1:])]
+        changes = [np.abs(b - a).max() for a, b in pairwise(self.postures)]
         done = np.cumsum([0.0, *changes])
         return done / done[-1] if done[-1] > 0.0 else np.linspace(0.0, 1.0, len(done))
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 from math import pi
 from typing import NamedTuple
 
@@ -12,10 +13,11 @@ from numpy.typing import NDArray
 from omnistudy.arm.chair import axle, base_frame
 from omnistudy.arm.chair_route import ChairRoute
 from omnistudy.arm.configuration import Configuration
+from omnistudy.arm.detour import detour
 from omnistudy.arm.lead import CarriedLead, ChairLead, FoldedLead, Lead, PostureLead, WorldLead
 from omnistudy.arm.paths import LinePath
 from omnistudy.arm.postures import postures
-from omnistudy.arm.stand_off import RADIAN, in_words, nearest_stand_off
+from omnistudy.arm.stand_off import RADIAN, nearest_stand_off
 from omnistudy.arm.task import Motion
 from omnistudy.geometry import PlanarPose, wrapped
 from omnistudy.geometry.rigid_motion import inverse
@@ -85,21 +87,24 @@ def _to(motion: Motion, at: Configuration, goal: PlanarPose, joints: Floats) -> 
     way = ChairLead(at.body, route, timing)
     path = motion.path(at.hand, at.base)
     driving = route.duration(chair, timing)
-    says = f"with the chair at {in_words(goal)}"
     posture = PostureLead(at.joints, joints, timing)
     if not motion.carried:
         duration = max(motion.hand_duration(path), driving)
-        yield Way(WorldLead(path, timing, way, posture), duration, f"over the ground {says}")
+        yield Way(
+            WorldLead(path, timing, way, posture),
+            duration,
+            "over the ground while the chair turns, drives and turns",
+        )
         return
     end = at.body.frames(joints)[-1]
     seen = LinePath(at.frames[-1], end)
     duration = max(motion.hand_duration(path), motion.hand_duration(seen), driving)
-    yield Way(CarriedLead(seen, timing, way, posture), duration, f"carried by the chair {says}")
-    for through in ((), (np.array(at.body.profile.ready),)):
-        folds = (at.joints, *through, joints)
-        turning = sum(_folding(at, a, b) for a, b in zip(folds, folds[1:], strict=False))
+    yield Way(CarriedLead(seen, timing, way, posture), duration, "carried by the chair")
+    folds = detour(at.body, at.joints, joints)
+    if folds:
+        turning = sum(_folding(at, a, b) for a, b in pairwise(folds))
         duration = max(motion.hand_duration(path), turning * timing.peak, driving)
-        yield Way(FoldedLead(folds, timing, way), duration, f"folded on the chair {says}")
+        yield Way(FoldedLead(folds, timing, way), duration, "folded on the chair")
 
 
 def _folding(at: Configuration, begin: Floats, end: Floats) -> float:
@@ -111,6 +116,8 @@ def _folding(at: Configuration, begin: Floats, end: Floats) -> float:
 def _over_ground(motion: Motion, at: Configuration) -> Iterator[Way]:
     """Keep the hand to its path: the chair stands, goes as it likes, or goes straight."""
     path, timing = motion.path(at.hand, at.base), motion.timing
+    if not nearest_stand_off(at, path.pose(1.0)).reached:
+        return
     chair = at.body.profile.chair
     hand = motion.hand_duration(path)
     still = ChairLead(at.body, ChairRoute(axle(chair, at.chair), NO_WAY), timing)

@@ -134,28 +134,45 @@ def urdf(
 
 
 @app.command()
-def check(task: TaskArgument, as_json: AsJson = False) -> None:
-    """Say before anything moves whether a task's poses can be reached, and from where.
+def check(task: TaskArgument, controller: ControllerOption = None, as_json: AsJson = False) -> None:
+    """Say before anything moves whether a task can be done, and from where.
 
-    Each motion is taken to begin in the stand-off found for the one before. Exit 1 when one
-    cannot be reached.
+    With dual_qp every motion is planned: it says how hand and chair go. With the published
+    controllers each pose is looked at, each motion being taken to begin in the stand-off found for
+    the one before. Exit 1 when one cannot be reached.
 
-    Example: omnistudy arm check door_right
+    Example: omnistudy arm check door_right --controller dual_qp
     """
-    from omnistudy.arm.check import check_task, looks
-    from omnistudy.arm.find import load_task
+    from omnistudy.session.plan_arm import is_led
 
-    page = load_task(task)
-    with progress("poses", looks(page)) as advance:
-        checked = check_task(page, advance)
-    rows = [(p.motion, p.share, p.possible, p.answer) for p in checked.poses]
+    page = _task(task, controller)
+    rows = _planned(page) if is_led(page) else _looked_at(page)
     if as_json:
         keys = ("motion", "share", "possible", "answer")
         print_json([dict(zip(keys, row, strict=True)) for row in rows])
     else:
         print_table(task, ("motion", "share of its path", "possible", "answer"), rows)
-    if not checked.possible:
+    if not all(possible for _, _, possible, _ in rows):
         raise typer.Exit(1)
+
+
+def _looked_at(page: ArmTask) -> list[tuple[str, float, bool, str]]:
+    from omnistudy.arm.check import check_task, looks
+
+    with progress("poses", looks(page)) as advance:
+        checked = check_task(page, advance)
+    return [(p.motion, p.share, p.possible, p.answer) for p in checked.poses]
+
+
+def _planned(page: ArmTask) -> list[tuple[str, float, bool, str]]:
+    from omnistudy.session.plan_arm import MOST_TRIES, look_for_plan
+
+    with progress("ways", MOST_TRIES) as advance:
+        plan = look_for_plan(page, advance)
+    if not plan.motions:
+        motion, why = plan.refused
+        return [(motion, 1.0, False, why)]
+    return [(p.motion.name, 1.0, True, p.answer) for p in plan.motions]
 
 
 @app.command()
@@ -164,7 +181,10 @@ def solve(
     output: Annotated[Path, typer.Option("--output", "-o", help="CSV file: one row a step.")],
     controller: ControllerOption = None,
     unchecked: Annotated[
-        bool, typer.Option("--unchecked", help="Run it even if it cannot be reached.")
+        bool,
+        typer.Option(
+            "--unchecked", help="Run it even if it cannot be reached; not where it is planned."
+        ),
     ] = False,
     force: Force = False,
     as_json: AsJson = False,
@@ -176,18 +196,27 @@ def solve(
     Example: omnistudy arm solve reach --controller sri_wln -o reach.csv
     """
     from omnistudy.arm.check import looks
-    from omnistudy.arm.find import load_task
     from omnistudy.arm.run import summaries
     from omnistudy.arm.run_file import may_write, write_run
+    from omnistudy.session.plan_arm import MOST_TRIES, is_led, plan_task
     from omnistudy.session.solve_arm import refuse_impossible, solve_task
 
-    page = load_task(task) if controller is None else _led_by(load_task(task), controller)
+    page = _task(task, controller)
     may_write(output, replace=force)
-    if not unchecked:
+    plan = None
+    if is_led(page):
+        if unchecked:
+            raise typer.BadParameter(
+                "a controller that leads the chair too runs only what it planned",
+                param_hint="--unchecked",
+            )
+        with progress("ways", MOST_TRIES) as advance:
+            plan = plan_task(page, advance)
+    elif not unchecked:
         with progress("poses", looks(page)) as advance:
             refuse_impossible(page, advance)
     with progress("motions", len(page.motions)) as advance:
-        run = solve_task(page, advance)
+        run = solve_task(page, advance, plan)
     write_run(run, output, replace=force)
     found = summaries(run)
     if as_json:
@@ -195,6 +224,13 @@ def solve(
         return
     _print_summaries(found)
     print_line(f"wrote {output}: {len(run.steps)} steps")
+
+
+def _task(name: str, controller: str | None) -> ArmTask:
+    from omnistudy.arm.find import load_task
+
+    page = load_task(name)
+    return page if controller is None else _led_by(page, controller)
 
 
 def _led_by(task: ArmTask, controller: str) -> ArmTask:

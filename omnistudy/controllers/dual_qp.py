@@ -47,10 +47,11 @@ class DualQp(LedController):
     """One quadratic programme a step over joints' rates V, the chair's, and a share s of the step.
 
     |J V - s r - c|^2 + slowing |r|^2 (1 - s)^2 + effort |V - p|^2, where r is the hand's twist that
-    is asked for, c what brings it back to its way, p the posture's rates. A chair that is led does s times its rates, so hand and
-    chair stay on one path parameter and slow together instead of leaving the path (as Drake's
-    differential inverse kinematics does for a hand alone). The chair rolls on its wheels: it has no
-    sideways rate. Joint and speed limits and zones are bounds; to stand still always keeps them.
+    is asked for, c what brings it back to its way, p the posture's rates. A chair that is led does
+    s times its rates: hand and chair stay on one path parameter, and slow together instead of
+    leaving the path (Drake's differential inverse kinematics does so for a hand). The chair rolls
+    on its wheels: it has no sideways rate. Limits of joints and speeds, and zones, are bounds; to
+    stand still always keeps them.
     """
 
     kind: Literal["dual_qp"] = "dual_qp"

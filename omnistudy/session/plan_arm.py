@@ -13,11 +13,11 @@ from typing import NamedTuple
 import numpy as np
 
 from omnistudy.arm.chair_route import ChairRoute
-from omnistudy.arm.check import PoseCheck, start_of
+from omnistudy.arm.check import start_of
 from omnistudy.arm.configuration import Configuration
 from omnistudy.arm.duration import durations
 from omnistudy.arm.lead import ChairLead, Lead, WorldLead
-from omnistudy.arm.stand_off import in_words, nearest_stand_off
+from omnistudy.arm.stand_off import in_words
 from omnistudy.arm.task import ArmTask, Motion
 from omnistudy.arm.ways import ways
 from omnistudy.controllers import Controller
@@ -25,6 +25,7 @@ from omnistudy.controllers.led import LedController
 from omnistudy.errors.arm import ImpossibleTask
 from omnistudy.geometry.rigid_motion import pose_error
 from omnistudy.session.follow_arm import ARRIVED, Followed, Pace, follow
+from omnistudy.session.refuse_arm import CHANGE_IT, Stopped, why_none, why_stopped
 
 COARSE = 4
 """Steps of a task that the first look takes at once."""
@@ -38,25 +39,33 @@ ARRIVES = (1e-4, radians(0.02))
 KEEPS = (1e-3, radians(0.2))
 """m, rad within which it is on its way; in a coarse look `COARSE` squared times as much."""
 
-CHANGE_IT = "give it another goal or another chair_goal, or let the hand be carried"
-"""What to do with a task that is refused."""
-
 
 class PlannedMotion(NamedTuple):
-    """One motion, and how it is done."""
+    """One motion, where it was planned from, how it is done, and where it ends, once known."""
 
     motion: Motion
     start: Configuration
     lead: Lead
     pace: Pace
     says: str = ""
+    end: Configuration | None = None
+
+    @property
+    def answer(self) -> str:
+        """Say how hand and chair go."""
+        to = "" if self.end is None else f", to {in_words(self.end.chair)}"
+        return f"{self.says or 'as published'}{to}"
 
 
 class Plan(NamedTuple):
-    """How a task is done; `tries` ways were looked at."""
+    """How a task is done; or, without motions, which one is refused and why.
+
+    tries : ways that were looked at.
+    """
 
     motions: tuple[PlannedMotion, ...]
     tries: int
+    refused: tuple[str, str] = ("", "")
 
 
 class Outcome(NamedTuple):
@@ -88,32 +97,41 @@ def as_published(task: ArmTask, motion: Motion, at: Configuration) -> PlannedMot
     if motion.chair_goal is not None:
         route = ChairRoute.of_chair(at.body.profile.chair, at.chair, motion.chair_goal.pose)
         way = ChairLead(at.body, route, motion.timing)
-    return PlannedMotion(
-        motion, at, WorldLead(path, motion.timing, way), _pace(duration, task.step)
-    )
+    lead = WorldLead(path, motion.timing, way)
+    return PlannedMotion(motion, at, lead, _pace(duration, task.step))
 
 
 def plan_task(task: ArmTask, advance: Callable[..., None] | None = None) -> Plan:
-    """Find a way for every motion; raises ImpossibleTask with the reason.
+    """Find a way for every motion; raises ImpossibleTask with the reason, or ImpossibleStart.
 
-    advance : told after each way that was looked at, with how many motions it did at most.
+    advance : told after each way that was looked at.
     """
+    plan = look_for_plan(task, advance)
+    if not plan.motions:
+        raise ImpossibleTask(*plan.refused, CHANGE_IT)
+    return plan
+
+
+def look_for_plan(task: ArmTask, advance: Callable[..., None] | None = None) -> Plan:
+    """Find a way for every motion, or why there is none; raises ImpossibleStart."""
     search = _Search(task, advance)
-    for plan in search.plans(start_of(task), ()):
-        if search.holds(plan):
-            return Plan(plan, search.tries)
-    raise ImpossibleTask(*search.refusal, CHANGE_IT)
+    for motions in search.plans(start_of(task), ()):
+        held = search.held(motions)
+        if held:
+            return Plan(held, search.tries)
+    return Plan((), search.tries, search.refused())
 
 
 class _Search:
-    """Depth first over the ways of each motion."""
+    """Depth first over the ways of each motion; remembers what came furthest."""
 
     def __init__(self, task: ArmTask, advance: Callable[..., None] | None) -> None:
         self.task = task
         self.tries = 0
         self._advance = advance
         self._furthest: tuple[int, float] = (-1, 0.0)
-        self.refusal = ("", "")
+        self._stopped: Stopped | None = None
+        self._nowhere: tuple[Motion, Configuration] | None = None
 
     def plans(
         self, at: Configuration, before: tuple[PlannedMotion, ...]
@@ -128,34 +146,44 @@ class _Search:
             none = False
             if self.tries >= MOST_TRIES:
                 return
-            self.tries += 1
             outcome = self._tried(planned, at, COARSE)
+            self.tries += 1
             if self._advance is not None:
                 self._advance()
             if outcome.arrived:
                 yield from self.plans(outcome.at, (*before, planned))
             else:
                 self._remember(len(before), planned, outcome)
-        if none:
-            self._refuse_pose(len(before), motion, at)
+        if none and (len(before), 0.0) > self._furthest:
+            self._furthest, self._nowhere = (len(before), 0.0), (motion, at)
 
-    def holds(self, plan: tuple[PlannedMotion, ...]) -> bool:
-        """Go through it step by step."""
-        at = start_of(self.task)
-        for index, planned in enumerate(plan):
+    def held(self, motions: tuple[PlannedMotion, ...]) -> tuple[PlannedMotion, ...]:
+        """Go through it step by step; give it with where each motion ends, or nothing."""
+        at, done = start_of(self.task), []
+        for index, planned in enumerate(motions):
             outcome = self._tried(planned, at, 1)
             if not outcome.arrived:
                 self._remember(index, planned, outcome)
-                return False
+                return ()
             at = outcome.at
-        return True
+            done.append(planned._replace(end=at))
+        return tuple(done)
+
+    def refused(self) -> tuple[str, str]:
+        """Name the motion that came furthest, and say what stopped it."""
+        if self._nowhere is not None and self._furthest[1] == 0.0:
+            return self._nowhere[0].name, why_none(*self._nowhere)
+        if self._stopped is None:
+            return self.task.motions[0].name, "no way was found to try"
+        return self._stopped.motion.name, why_stopped(self._stopped)
 
     def _candidates(self, motion: Motion, at: Configuration) -> Iterator[PlannedMotion]:
         if not isinstance(controller_of(self.task, motion), LedController):
             yield as_published(self.task, motion, at)
             return
         for way in ways(motion, at):
-            yield PlannedMotion(motion, at, way.lead, _pace(way.duration, self.task.step), way.says)
+            pace = _pace(way.duration, self.task.step)
+            yield PlannedMotion(motion, at, way.lead, pace, way.says)
 
     def _tried(self, planned: PlannedMotion, at: Configuration, coarse: int) -> Outcome:
         pace = planned.pace
@@ -163,7 +191,6 @@ class _Search:
             steps = -(-pace.steps // coarse)
             pace = Pace(steps, pace.dt * pace.steps / steps)
         controller = controller_of(self.task, planned.motion)
-        off = (0.0, 0.0)
         led = isinstance(controller, LedController)
         for done in follow(controller, planned.lead, at, pace, self.task):
             off = _off(done, planned.lead)
@@ -173,37 +200,11 @@ class _Search:
         return Outcome(done.at, done.u, arrived, done.report.hits)
 
     def _remember(self, index: int, planned: PlannedMotion, outcome: Outcome) -> None:
-        """Keep the reason of what came furthest."""
-        if (index, outcome.share) <= self._furthest:
-            return
-        self._furthest = (index, outcome.share)
-        held = f", held by {' and '.join(outcome.hits)}" if outcome.hits else ""
-        path = planned.motion.path(planned.start.hand, planned.start.base)
-        end = PoseCheck(planned.motion.name, 1.0, nearest_stand_off(planned.start, path.pose(1.0)))
-        self.refusal = (
-            planned.motion.name,
-            f"the way that came furthest, {planned.says}, stops after "
-            f"{100 * outcome.share:.0f} % of it{held}; its end {end.answer}",
-        )
-
-    def _refuse_pose(self, index: int, motion: Motion, at: Configuration) -> None:
-        """Say that there is not even a posture to end in."""
-        if (index, 0.0) <= self._furthest:
-            return
-        self._furthest = (index, 0.0)
-        path = motion.path(at.hand, at.base)
-        if motion.chair_goal is None:
-            nearest = nearest_stand_off(at, path.pose(1.0))
-            self.refusal = (motion.name, f"its end: {PoseCheck(motion.name, 1.0, nearest).answer}")
-            return
-        there = Configuration(at.body, at.joints, motion.chair_goal.pose)
-        nearest = nearest_stand_off(there, path.pose(1.0))
-        self.refusal = (
-            motion.name,
-            f"with the chair at its goal, {in_words(there.chair)}, no posture was found that brings "
-            f"the hand to its own and enters no zone; it "
-            f"{PoseCheck(motion.name, 1.0, nearest).answer}",
-        )
+        if (index, outcome.share) > self._furthest:
+            self._furthest = (index, outcome.share)
+            self._stopped = Stopped(
+                planned.motion, planned.start, planned.says, outcome.share, outcome.hits
+            )
 
 
 def _off(done: Followed, lead: Lead) -> tuple[float, float]:
@@ -219,5 +220,5 @@ def _beyond(off: tuple[float, float], bounds: tuple[float, float], times: float 
 def _pace(duration: float, step: float) -> Pace:
     if duration == 0.0:
         return Pace(0, step)
-    count = max(1, round(duration / step))
-    return Pace(count, duration / count)
+    steps = max(1, round(duration / step))
+    return Pace(steps, duration / steps)

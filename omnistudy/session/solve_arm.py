@@ -11,6 +11,7 @@ from omnistudy.arm.task import ArmTask
 from omnistudy.errors.arm import ImpossibleTask
 from omnistudy.session.follow_arm import bearing, follow
 from omnistudy.session.plan_arm import (
+    Plan,
     PlannedMotion,
     as_published,
     controller_of,
@@ -29,20 +30,23 @@ def refuse_impossible(task: ArmTask, advance: Callable[..., None] | None = None)
             raise ImpossibleTask(pose.motion, pose.answer)
 
 
-def solve_task(task: ArmTask, advance: Callable[..., None] | None = None) -> ArmRun:
+def solve_task(
+    task: ArmTask, advance: Callable[..., None] | None = None, plan: Plan | None = None
+) -> ArmRun:
     """Run all motions, one after the other; gives every step.
 
-    Motions of a controller that leads the chair are planned first, the others go as published.
-    advance : told after each motion. Raises ImpossibleStart, UnknownArm, BrokenArmPage, or
-    ImpossibleTask when there is no plan.
+    Motions of a controller that leads the chair go as planned, the others as published.
+    advance : told after each motion. plan : when it is known already. Raises ImpossibleStart,
+    UnknownArm, BrokenArmPage, or ImpossibleTask when there is no plan.
     """
     at = start_of(task)
-    planned = plan_task(task).motions if is_led(task) else None
+    if plan is None and is_led(task):
+        plan = plan_task(task)
     steps: list[ArmStep] = []
     t = 0.0
     for index, motion in enumerate(task.motions):
-        plan = as_published(task, motion, at) if planned is None else planned[index]
-        done, at, t = _motion(task, plan, at, t)
+        planned = as_published(task, motion, at) if plan is None else plan.motions[index]
+        done, at, t = _motion(task, planned, at, t)
         steps.extend(done)
         if advance is not None:
             advance()
@@ -50,18 +54,18 @@ def solve_task(task: ArmTask, advance: Callable[..., None] | None = None) -> Arm
 
 
 def _motion(
-    task: ArmTask, plan: PlannedMotion, at: Configuration, began: float
+    task: ArmTask, planned: PlannedMotion, at: Configuration, began: float
 ) -> tuple[list[ArmStep], Configuration, float]:
-    lead, dt = plan.lead, plan.pace.dt
+    lead, dt = planned.lead, planned.pace.dt
     direction, driven, t = bearing(lead), 0.0, began
     steps: list[ArmStep] = []
-    controller = controller_of(task, plan.motion)
-    for step, done in enumerate(follow(controller, lead, at, plan.pace, task)):
+    controller = controller_of(task, planned.motion)
+    for step, done in enumerate(follow(controller, lead, at, planned.pace, task)):
         at = done.at
         driven += done.drive
         t = began + step * dt
         moment = Moment(
-            motion=plan.motion.name,
+            motion=planned.motion.name,
             step=step,
             t=t,
             configuration=at,
