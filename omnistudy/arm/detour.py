@@ -16,11 +16,14 @@ SEED = "arm"
 GROWTHS = 400
 """Branches tried before giving up; ours."""
 
-REACH, LOOK = 0.4, 0.08
+REACH, LOOK = 0.4, 0.01
 """rad, of the joint that moves most: length of a branch, and between two looks along it; ours."""
 
-ROOM = 0.004
-"""m kept from every zone; ours."""
+STRIDES = (16, 4, 1)
+"""Looks along a branch at once, so that most of those that are not clear are found early."""
+
+ROOM, SLACK = 0.005, 1e-4
+"""m kept from every zone, but for postures that have less; and by how much it may be less."""
 
 WIDER = 0.8
 """rad by which the box round both postures is widened for random ones; ours."""
@@ -33,6 +36,8 @@ def detour(body: ArmBody, start: Floats, goal: Floats) -> tuple[Floats, ...]:
 
     RRT-Connect (Kuffner and LaValle 2000), then shortened. Straight when nothing is in between.
     """
+    if _room(body, goal) <= 0.0:
+        return ()
     if _clear(body, start, goal):
         return (start, goal)
     draw = generator(SEED, "detour")
@@ -86,13 +91,20 @@ class _Tree:
 
 
 def _clear(body: ArmBody, begin: Floats, end: Floats) -> bool:
-    """Whether the straight way between two postures is clear; its begin is taken to be."""
+    """Whether the straight way between two postures is clear, as far as they are themselves."""
+    needed = min(ROOM, _room(body, begin), _room(body, end)) - SLACK
     looks = max(1, int(np.ceil(np.abs(end - begin).max() / LOOK)))
-    # the end first: it is the likeliest to be in a zone
     return all(
-        not body.clearances.near(body.frames(begin + look / looks * (end - begin)), ROOM).zones.size
-        for look in range(looks, 0, -1)
+        _room(body, begin + look / looks * (end - begin)) >= needed
+        for stride in STRIDES
+        for look in range(stride, looks, stride)
     )
+
+
+def _room(body: ArmBody, joints: Floats) -> float:
+    """Give m to the nearest zone, `ROOM` at most."""
+    rooms = body.clearances.near(body.frames(joints), ROOM).rooms
+    return float(rooms.min()) if rooms.size else ROOM
 
 
 def _shortened(body: ArmBody, way: list[Floats], draw: np.random.Generator) -> tuple[Floats, ...]:

@@ -77,6 +77,11 @@ class DualQp(LedController):
         """No law damps an arm: nothing."""
         return ZERO_MATRIX
 
+    @property
+    def turns_hand(self) -> bool:
+        """Unless it follows the position alone."""
+        return self.follows == "pose"
+
     def initial_state(self) -> DualMemory:
         """Nothing has been reported yet."""
         return DualMemory()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from abc import ABC
+from abc import ABC, abstractmethod
 
 from omnistudy.controllers.controller import Controller
 
@@ -13,3 +13,8 @@ class LedController(Controller, ABC):
     It does one share of all that is asked for, and says which in its report's `progress`: whoever
     leads it goes on along the way by that much. So its tasks are planned before they move.
     """
+
+    @property
+    @abstractmethod
+    def turns_hand(self) -> bool:
+        """Whether it brings the hand's rotation to what is asked for, or only its place."""

@@ -71,6 +71,7 @@ def follow(
     """
     state, direction, goal = controller.initial_state(), bearing(lead), lead.chair(1.0)
     led = isinstance(controller, LedController)
+    minded = 6 if not isinstance(controller, LedController) or controller.turns_hand else 3
     difference = sine_error if task.error == "legacy" and not led else pose_error
     done, last = -1.0, -1.0
     for step in range(1, LONGEST * pace.steps + 2 * PATIENCE):
@@ -91,7 +92,7 @@ def follow(
         done += report.progress * min(1.0, pace.steps - done)
         drive = float(control.command[at.body.count]) * pace.dt
         yield Followed(at, u if report.progress == 1.0 else _share(done, pace), drive, report)
-        if u >= 1.0 and report.progress >= ARRIVED and (not led or _settled(at, wanted)):
+        if u >= 1.0 and report.progress >= ARRIVED and (not led or _settled(at, wanted, minded)):
             return
         if step % PATIENCE == 0:
             if done - last < NO_PROGRESS * PATIENCE:
@@ -103,9 +104,9 @@ def _share(steps: float, pace: Pace) -> float:
     return min(max(steps / pace.steps, 0.0), 1.0) if pace.steps else 1.0
 
 
-def _settled(at: Configuration, wanted: Floats) -> bool:
-    """Whether what is left to correct is too little to speak of."""
-    return float(np.abs(pose_error(at.hand, wanted)).max()) < SETTLED
+def _settled(at: Configuration, wanted: Floats, minded: int) -> bool:
+    """Whether what is left to correct, of so many rows, is too little to speak of."""
+    return float(np.abs(pose_error(at.hand, wanted)[:minded]).max()) < SETTLED
 
 
 def _towards(at: Configuration, wanted: PlanarPose, dt: float) -> tuple[float, float]:

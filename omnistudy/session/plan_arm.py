@@ -192,8 +192,9 @@ class _Search:
             pace = Pace(steps, pace.dt * pace.steps / steps)
         controller = controller_of(self.task, planned.motion)
         led = isinstance(controller, LedController)
+        turns = not isinstance(controller, LedController) or controller.turns_hand
         for done in follow(controller, planned.lead, at, pace, self.task):
-            off = _off(done, planned.lead)
+            off = _off(done, planned.lead, turns)
             if led and _beyond(off, KEEPS, coarse**2):
                 break
         arrived = done.u >= ARRIVED and not _beyond(off, ARRIVES)
@@ -207,10 +208,10 @@ class _Search:
             )
 
 
-def _off(done: Followed, lead: Lead) -> tuple[float, float]:
-    """Give m and rad from the hand to where it is led."""
+def _off(done: Followed, lead: Lead, turns: bool) -> tuple[float, float]:
+    """Give m and rad from the hand to where it is led; no rad where its turn does not matter."""
     error = pose_error(done.at.hand, lead.hand(done.u))
-    return float(np.linalg.norm(error[:3])), float(np.linalg.norm(error[3:]))
+    return float(np.linalg.norm(error[:3])), float(np.linalg.norm(error[3:])) if turns else 0.0
 
 
 def _beyond(off: tuple[float, float], bounds: tuple[float, float], times: float = 1.0) -> bool:
