@@ -13,9 +13,12 @@ from importlib.metadata import version
 
 import ceiling
 import law_fields
+import laws_and_robots
 import published_trial
 import same_bytes
 import startup
+
+from omnistudy.trial import TrialSpec
 
 ROUNDS = 3
 
@@ -31,9 +34,8 @@ def machine() -> dict[str, object]:
     }
 
 
-def trial_speed() -> dict[str, float]:
+def trial_speed(spec: TrialSpec) -> dict[str, float]:
     """Measure trial and ceiling in turns, so that both meet the same machine."""
-    spec = published_trial.published_trial()
     trials, bare = [], []
     for _ in range(ROUNDS):
         trials.append(published_trial.speed(spec))
@@ -48,7 +50,8 @@ def trial_speed() -> dict[str, float]:
 
 def main() -> None:
     """Measure everything and print one JSON."""
-    measured = trial_speed()
+    spec = published_trial.published_trial()
+    measured = trial_speed(spec)
     peak = published_trial.in_own_process().peak_megabytes
     print(
         json.dumps(
@@ -60,6 +63,8 @@ def main() -> None:
                 "law_field_us": {
                     kind: round(value, 1) for kind, value in law_fields.field_microseconds().items()
                 },
+                "law_simulated_s_per_s": laws_and_robots.law_speeds(spec),
+                "robot_simulated_s_per_s": laws_and_robots.robot_speeds(spec),
                 "same_seed_same_bytes": same_bytes.checks(),
             },
             indent=2,

@@ -11,7 +11,7 @@ import yaml
 
 from omnistudy.protocol import Protocol
 from omnistudy.protocol.completion import completed
-from omnistudy.protocol.compose import find_protocol, read_protocol
+from omnistudy.protocol.compose import find_protocol, page_reader, read_protocol
 from omnistudy.protocol.page import composed
 from omnistudy.registry.conf import conf_roots
 
@@ -40,4 +40,5 @@ def changed_page(changes: Sequence[str]) -> dict[str, Any]:
 
 def changed_protocol(*changes: str) -> Protocol:
     """Read the changed page; raises ProtocolFaults."""
-    return read_protocol(completed(changed_page(changes)), "page.yaml")
+    page = page_reader("page.yaml", conf_roots())
+    return read_protocol(completed(changed_page(changes), page), "page.yaml")

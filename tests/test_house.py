@@ -100,18 +100,17 @@ def _pyproject() -> dict[str, list[str]]:
 
 
 def _installed_closure(requirements: list[str]) -> set[str]:
-    """Give the names of all packages that these requirements bring here."""
-    found: set[str] = set()
+    """Give the names of all packages that these requirements bring here, but for ourselves."""
+    found: set[tuple[str, str]] = set()
     waiting = [Requirement(text) for text in requirements]
     while waiting:
         requirement = waiting.pop()
-        if requirement.marker and not requirement.marker.evaluate({"extra": ""}):
-            continue
         name = _canonical(requirement.name)
-        if name not in found:
-            found.add(name)
-            waiting += [Requirement(text) for text in distribution(name).requires or []]
-    return found
+        for extra in {"", *requirement.extras} - {extra for one, extra in found if one == name}:
+            found.add((name, extra))
+            brought = [Requirement(text) for text in distribution(name).requires or []]
+            waiting += [r for r in brought if not r.marker or r.marker.evaluate({"extra": extra})]
+    return {name for name, _ in found} - {"omnistudy"}
 
 
 def _licence(name: str) -> str:

@@ -35,15 +35,23 @@ class Noun(NamedTuple):
 
 NOUNS = {
     "demo": Noun("The published study with virtual participants.", True),
+    "new": Noun("Start a law, controller, world, protocol or survey of your own."),
     "protocol": Noun("Protocols: what is to be run."),
     "study": Noun("Studies: who runs a protocol, in a database."),
     "participant": Noun("Participants of a study."),
     "session": Noun("A participant's trials: plan them, run them."),
     "law": Noun("Laws that make the force on the stick."),
+    "controller": Noun("Controllers: from the stick's position to the robot's command."),
+    "plant": Noun("Robots in their physics."),
+    "device": Noun("What is held: the joystick and its stand-ins."),
     "world": Noun("Worlds to drive through."),
     "arm": Noun("Arms on wheelchairs, and tasks solved without physics."),
+    "task": Noun("What is to be done in a trial."),
     "operator": Noun("Who drives: the virtual driver, a recording."),
+    "order": Noun("Orders: who meets which condition when."),
+    "survey": Noun("Instruments: what people are asked."),
     "drive": Noun("Drive through worlds without a study: recordings, the virtual driver."),
+    "sweep": Noun("Many virtual studies that differ in a few settings."),
     "report": Noun("A study's report as one HTML file.", True),
 }
 """Noun -> its help; its verbs live in `omnistudy.cli.<noun>` as `app`."""

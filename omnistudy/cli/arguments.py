@@ -14,6 +14,19 @@ def study_names() -> list[str]:
     return sorted(study_files())
 
 
+def participant_codes(context: typer.Context) -> list[str]:
+    """Complete a participant's code in the study that stands before it on the line."""
+    from omnistudy.errors import OmnistudyError
+    from omnistudy.store import open_study
+    from omnistudy.study import resolve_study
+
+    try:
+        with open_study(resolve_study(context.params["study"])) as study:
+            return [str(code) for code in study.participants()["participant"]]
+    except OmnistudyError:
+        return []  # a half-typed line names no study yet
+
+
 def protocol_names() -> list[str]:
     """Complete a protocol's name."""
     from omnistudy.protocol.compose import protocol_pages
@@ -23,6 +36,10 @@ def protocol_names() -> list[str]:
 
 StudyArgument = Annotated[
     str, typer.Argument(help="A study's name or the path of its .db.", autocompletion=study_names)
+]
+ParticipantArgument = Annotated[
+    str,
+    typer.Argument(help="Code of a participant, such as P01.", autocompletion=participant_codes),
 ]
 ProtocolArgument = Annotated[
     str,

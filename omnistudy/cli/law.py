@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from omnistudy.cli.arguments import AsJson
+from omnistudy.cli.kind_verbs import add_list_and_show, kinds_of
 from omnistudy.cli.output import print_json, print_line, print_table
 
 if TYPE_CHECKING:
@@ -16,16 +17,13 @@ if TYPE_CHECKING:
     from omnistudy.laws.probe import Probe
 
 app = typer.Typer(no_args_is_help=True)
-
-
-def _kinds() -> list[str]:
-    from omnistudy.registry import kinds
-
-    return list(kinds("laws"))
-
+add_list_and_show(app, "law", "component")
 
 Kind = Annotated[
-    str, typer.Argument(help="Kind of law; `omnistudy law list` names them.", autocompletion=_kinds)
+    str,
+    typer.Argument(
+        help="Kind of law; `omnistudy law list` names them.", autocompletion=kinds_of("laws")
+    ),
 ]
 Settings = Annotated[
     list[str] | None,
@@ -40,46 +38,16 @@ def _finite(values: Triple) -> Triple:
     return values
 
 
-@app.command("list")
-def list_laws(as_json: AsJson = False) -> None:
-    """List the kinds of laws, ours and those of installed packages.
-
-    Example: omnistudy law list
-    """
-    from omnistudy.laws.catalogue import catalogue
-
-    entries = catalogue()
-    if as_json:
-        print_json([entry._asdict() for entry in entries])
-    else:
-        print_table("laws", ("kind", "what it does", "from"), entries)
-
-
-@app.command()
-def show(kind: Kind, as_json: AsJson = False) -> None:
-    """Show a law's parameters with their defaults, units and sources.
-
-    Example: omnistudy law show component
-    """
-    from omnistudy.laws.catalogue import entry
-    from omnistudy.registry import load_kind
-    from omnistudy.registry.parameters import parameters
-
-    summary = entry(kind).summary
-    rows = parameters(load_kind("laws", kind))
-    if as_json:
-        listed = [row._asdict() for row in rows]
-        print_json({"kind": kind, "summary": summary, "parameters": listed})
-        return
-    print_line(summary)
-    if rows:
-        print_table(f"parameters of '{kind}'", ("name", "default", "unit", "meaning"), rows)
-
-
 @app.command()
 def probe(
     kind: Kind,
-    scan: Annotated[Path, typer.Option(help="JSON file: angles (rad), ranges (m), max_range (m).")],
+    scan: Annotated[
+        Path,
+        typer.Option(
+            help="JSON file: angles (rad), ranges (m), max_range (m); for rays from elsewhere x "
+            "and y (m), for a sensor that tells them rates (m/s)."
+        ),
+    ],
     twist: Annotated[
         Triple,
         typer.Option(
@@ -126,15 +94,28 @@ def probe(
 def _print_probe(found: Probe) -> None:
     forces = (("fx", found.fx, "N"), ("fy", found.fy, "N"), ("tau", found.tau, "N·m"))
     print_table(f"'{found.kind}' on the hand", ("part", "value", "unit"), forces)
-    rows = [(part, *row) for part, row in zip(("fx", "fy", "tau"), found.stiffness, strict=True)]
-    print_table("stiffness (per m, m, rad)", ("part", "x", "y", "theta"), rows)
+    _print_matrix("stiffness (per m, m, rad)", found.stiffness)
+    if any(map(any, found.damping)):
+        _print_matrix("damping (per m/s, m/s, rad/s)", found.damping)
     if found.n is not None:
         print_line(f"rays that touch the boundary: {found.n}")
 
 
+def _print_matrix(title: str, matrix: Matrix3) -> None:
+    rows = [(part, *row) for part, row in zip(("fx", "fy", "tau"), matrix, strict=True)]
+    print_table(title, ("part", "x", "y", "theta"), rows)
+
+
 @app.command()
 def draw(
-    kind: Kind,
+    kinds: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="KIND...",
+            help="Kind of law, or several to set side by side; `omnistudy law list` names them.",
+            autocompletion=kinds_of("laws"),
+        ),
+    ],
     output: Annotated[Path, typer.Option("--output", "-o", help="Picture: .svg or .png.")],
     scan: Annotated[
         Path | None, typer.Option(help="Draw this one scene instead of the four standard ones.")
@@ -142,18 +123,18 @@ def draw(
     settings: Settings = None,
     force: Annotated[bool, typer.Option("--force", help="Replace an existing file.")] = False,
 ) -> None:
-    """Draw what a law does: beside walls, or in one scene.
+    """Draw what laws do: beside walls, or in one scene.
 
-    Example: omnistudy law draw component -o component.svg
+    Example: omnistudy law draw component quadrant -o laws.svg
     """
     from omnistudy.laws.drawing import draw_field
     from omnistudy.laws.scan_file import read_scan
     from omnistudy.laws.scene_drawing import draw_scene
     from omnistudy.registry.parameters import make_kind
 
-    law = make_kind("laws", kind, settings or ())
+    laws = [make_kind("laws", kind, settings or ()) for kind in kinds]
     if scan is None:
-        draw_field(law, output, replace=force)
+        draw_field(laws, output, replace=force)
     else:
-        draw_scene(law, read_scan(scan), output, replace=force)
+        draw_scene(laws, read_scan(scan), output, replace=force)
     print_line(f"drawn: {output}")

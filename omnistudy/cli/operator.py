@@ -8,31 +8,17 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from omnistudy.cli.arguments import AsJson, Workers
+from omnistudy.cli.kind_verbs import add_list_and_show
 from omnistudy.cli.output import print_json, print_line, print_table, progress
 
 if TYPE_CHECKING:
     from omnistudy.session.calibrate import Calibration
 
 app = typer.Typer(no_args_is_help=True)
+add_list_and_show(app, "operator", "virtual_driver")
 
 SKILLS = (0.75, 1.25, 1.75, 2.25, 2.75, 3.5, 4.5, 6.0)
 """Skills at which the response is measured; 0 is perfect."""
-
-
-@app.command("list")
-def list_operators(json: AsJson = False) -> None:
-    """List the kinds of operators.
-
-    Example: omnistudy operator list
-    """
-    from omnistudy.registry import kinds, load_kind
-
-    rows = [(kind, (load_kind("operators", kind).__doc__ or "").split("\n")[0])
-            for kind in kinds("operators")]  # fmt: skip
-    if json:
-        print_json([{"kind": kind, "description": text} for kind, text in rows])
-    else:
-        print_table("Operators", ("kind", "what it is"), rows)
 
 
 @app.command()

@@ -11,6 +11,7 @@ from omnistudy.cli.output import print_json, print_line, print_table
 
 if TYPE_CHECKING:
     from omnistudy.protocol import Protocol
+    from omnistudy.protocol.balance import Balance
 
 app = typer.Typer(no_args_is_help=True, help="Protocols: what is to be run.")
 
@@ -59,7 +60,7 @@ def show(
     if json:
         print_line(freeze(composed).canonical_json)
     else:
-        _print_page(composed)
+        print_page(composed)
 
 
 @app.command()
@@ -68,12 +69,13 @@ def check(
     changes: OverridesArgument = None,
     json: AsJson = False,
 ) -> None:
-    """Look for every fault of a protocol; exits 1 when there is any.
+    """Look for every fault of a protocol, and say when its design balances; exits 1 for a fault.
 
     Example: omnistudy protocol check protocols/utah2017_component.yaml
     """
     from omnistudy.errors.protocol import ProtocolFaults
     from omnistudy.protocol import plan
+    from omnistudy.protocol.balance import balance
     from omnistudy.protocol.compose import compose_protocol
 
     try:
@@ -83,15 +85,16 @@ def check(
             raise
         print_json({"file": mistake.where, "faults": mistake.faults})
         raise typer.Exit(1) from mistake
+    found = balance(composed)
     if json:
-        print_json({"file": file, "faults": []})
-    else:
-        trials = len(plan(composed, 0))
-        print_line(
-            f"{file}: no faults; {len(composed.conditions)} conditions, "
-            f"{composed.participants.count} {composed.participants.kind} participants, "
-            f"{trials} trials each"
-        )
+        print_json({"file": file, "faults": [], "balance": found._asdict()})
+        return
+    print_line(
+        f"{file}: no faults; {len(composed.conditions)} conditions, "
+        f"{composed.participants.count} {composed.participants.kind} participants, "
+        f"{len(plan(composed, 0))} trials each"
+    )
+    _print_balance(found)
 
 
 @app.command()
@@ -121,7 +124,17 @@ def diff(
         print_line("no difference")
 
 
-def _print_page(protocol: Protocol) -> None:
+def _print_balance(balance: Balance) -> None:
+    people = " and ".join(str(count) for count in balance.participants)
+    each = " in each stratum" if len(balance.participants) > 1 else ""
+    sizes = ", ".join(str(balance.multiple * times) for times in (1, 2, 3))
+    print_line(f"balances at {sizes}, ... participants{each}")
+    for loss in balance.losses:
+        print_line(f"not even at {people}: {loss}")
+
+
+def print_page(protocol: Protocol) -> None:
+    """Print a whole protocol for people, every number resolved."""
     from textwrap import fill
 
     from omnistudy.protocol import freeze
@@ -142,8 +155,7 @@ def _print_people(protocol: Protocol) -> None:
     from omnistudy.protocol.schedule import session_duration
     from omnistudy.protocol.summary import settings
 
-    slots = range(protocol.participants.count)
-    expected = max(session_duration(protocol, slot) for slot in slots)
+    expected = session_duration(protocol)
     rows = [
         *settings(protocol.site),
         *settings(protocol.participants, "participants."),
@@ -163,19 +175,24 @@ def _print_conditions(protocol: Protocol) -> None:
         differs = "\n".join(str(change) for change in changes(protocol, condition.name))
         own = [levels[factor] for factor in factors]
         rows.append((condition.name, condition.masked_label, *own, differs or None))
-    columns = ("condition", "masked label", *factors, "differs in")
+    between = {factor.name for factor in protocol.factors if factor.vary == "between"}
+    named = [f"{name} (between)" if name in between else name for name in factors]
+    columns = ("condition", "masked label", *named, "differs in")
     print_table("Conditions", columns, rows)
 
 
 def _print_orders(protocol: Protocol) -> None:
-    from omnistudy.protocol import plan
+    from omnistudy.protocol import StudyPlan
 
+    plan = StudyPlan(protocol)
     shown = min(PARTICIPANTS_SHOWN, protocol.participants.count)
+    visits = [visit.name for visit in protocol.course]
     rows = []
-    for trials in zip(*(plan(protocol, slot) for slot in range(shown)), strict=True):
-        cells = [f"{trial.condition}\n{trial.route}" for trial in trials]
-        rows.append((trials[0].position, *cells))
-    columns = ("trial", *(f"participant {slot + 1}" for slot in range(shown)))
+    for trials in zip(*(plan.trials(slot) for slot in range(shown)), strict=True):
+        first = trials[0]
+        cells = [f"{trial.condition or 'chosen by the order'}\n{trial.route}" for trial in trials]
+        rows.append((first.position, visits[first.visit - 1], first.kind, *cells))
+    columns = ("trial", "visit", "kind", *(f"participant {slot + 1}" for slot in range(shown)))
     print_table("Orders of the first participants", columns, rows)
 
 

@@ -6,7 +6,13 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from omnistudy.cli.arguments import AsJson, StudyArgument, Workers
+from omnistudy.cli.arguments import (
+    AsJson,
+    ParticipantArgument,
+    StudyArgument,
+    Workers,
+    participant_codes,
+)
 from omnistudy.cli.output import print_json, print_line, print_table, progress
 
 if TYPE_CHECKING:
@@ -24,7 +30,7 @@ def _clock(seconds: float) -> str:
 @app.command()
 def plan(
     study: StudyArgument,
-    participant: Annotated[str, typer.Argument(help="Code of a participant, such as P01.")],
+    participant: ParticipantArgument,
     json: AsJson = False,
 ) -> None:
     """Print a participant's trials in their order, with the times they are expected at.
@@ -42,12 +48,24 @@ def plan(
         return
     print_table(
         f"Session of {participant} in '{name}' (minutes:seconds, expected)",
-        ("starts", "lasts", "position", "condition", "repetition", "route", "status"),
+        (
+            "visit",
+            "starts",
+            "lasts",
+            "position",
+            "kind",
+            "condition",
+            "repetition",
+            "route",
+            "status",
+        ),
         [
             (
+                trial.visit,
                 _clock(trial.start_s),
                 _clock(trial.duration_s),
                 trial.position,
+                trial.kind,
                 trial.condition,
                 trial.repetition,
                 trial.route,
@@ -62,7 +80,10 @@ def plan(
 def run(
     study: StudyArgument,
     participant: Annotated[
-        list[str] | None, typer.Argument(help="Codes; every participant unless given.")
+        list[str] | None,
+        typer.Argument(
+            help="Codes; every participant unless given.", autocompletion=participant_codes
+        ),
     ] = None,
     trials: Annotated[
         int | None, typer.Option(min=1, help="Stop after so many trials; the rest stays planned.")

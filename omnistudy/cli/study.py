@@ -99,6 +99,24 @@ def list_(json: AsJson = False) -> None:
 
 
 @app.command()
+def show(study: StudyArgument, json: AsJson = False) -> None:
+    """Print the protocol that a study was frozen with, every number resolved.
+
+    Example: omnistudy study show first
+    """
+    from omnistudy.cli.protocol import print_page
+    from omnistudy.store import open_study
+    from omnistudy.study import frozen_protocol, resolve_study
+
+    with open_study(resolve_study(study)) as opened:
+        record = opened.study
+    if json:
+        print_line(record.protocol_json)
+    else:
+        print_page(frozen_protocol(record))
+
+
+@app.command()
 def status(study: StudyArgument, json: AsJson = False) -> None:
     """Say how far a study is, participant by participant.
 
@@ -154,6 +172,43 @@ def diff(
     given = compose_protocol(protocol or frozen_protocol(record).name, changes or ())
     check_unchanged(record, given)
     print_line(f"the protocol is the one that study '{record.name}' was frozen with")
+
+
+@app.command()
+def amend(
+    study: StudyArgument,
+    protocol: ProtocolArgument,
+    reason: Annotated[str, typer.Option(help="Why, for the list of the protocol's versions.")],
+    changes: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="[KEY=VALUE]...", help="Changes that the study was made with."),
+    ] = None,
+    dry_run: Annotated[
+        bool, typer.Option("--dry-run", help="Say what would change, and change nothing.")
+    ] = False,
+    json: AsJson = False,
+) -> None:
+    """Amend texts, site or device of a study; its design and allocation stay as they were drawn.
+
+    Example: omnistudy study amend first mended.yaml --reason "a typing mistake in a message"
+    """
+    from omnistudy.protocol.compose import compose_protocol
+    from omnistudy.store import open_study
+    from omnistudy.study import amend_study, amendment, resolve_study
+
+    path, given = resolve_study(study), compose_protocol(protocol, changes or ())
+    if dry_run:
+        with open_study(path) as opened:
+            made = amendment(opened.study, given)
+    else:
+        made = amend_study(path, given, reason)
+    if json:
+        print_json(made)
+        return
+    for difference in made.differences:
+        print_line(str(difference))
+    verb = "would become" if dry_run else "is now"
+    print_line(f"the protocol of study '{made.study}' {verb} version {made.version}")
 
 
 @app.command()

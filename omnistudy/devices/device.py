@@ -5,6 +5,9 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from typing import NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
 from omnistudy.channel import Channel
 from omnistudy.geometry import ForceField
 from omnistudy.registry import KindModel
@@ -40,6 +43,15 @@ class Device(KindModel, ABC):
     @abstractmethod
     def connect(self, physics_hz: int) -> RunningDevice:
         """Give the device at rest in its centre; it is advanced `physics_hz` times a second."""
+
+    def own_force(
+        self, position: NDArray[np.float64], rate: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """Give what its motors push without any field, such as centring; none unless overridden.
+
+        position, rate and result : (n, axes), SI.
+        """
+        return np.zeros_like(position)
 
 
 class RunningDevice(ABC):

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
+import numpy as np
+from numpy.typing import NDArray
 from pydantic import Field
 
 from omnistudy.devices.device import Device, RunningDevice
@@ -61,3 +63,11 @@ class SimulatedStick(Device):
         from omnistudy.devices.stick_in_motion import StickInMotion
 
         return StickInMotion(self, physics_hz)
+
+    def own_force(
+        self, position: NDArray[np.float64], rate: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """Give centring and gravity compensation, clipped as the motors clip them."""
+        from omnistudy.devices.stick_in_motion import own_force
+
+        return own_force(self, position, rate)

@@ -5,6 +5,9 @@ from __future__ import annotations
 from math import inf, sin
 from typing import NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
 from omnistudy.channel import Channel
 from omnistudy.devices.device import DeviceState, Hand, RunningDevice
 from omnistudy.devices.mechanics import HeldStep, held_step
@@ -45,6 +48,35 @@ def _in_si(axis: Axis, limit: float, per_count: float, lever: float) -> _Mechani
     )
 
 
+def _mechanisms(stick: SimulatedStick) -> tuple[_Mechanism, _Mechanism, _Mechanism]:
+    scale = stick.scale
+    count, turn = scale.metres_per_count, scale.radians_per_count
+    return (
+        _in_si(stick.x, stick.force_limit, count, scale.lever),
+        _in_si(stick.y, stick.force_limit, count, scale.lever),
+        _in_si(stick.theta, stick.torque_limit, turn, inf),
+    )
+
+
+def own_force(
+    stick: SimulatedStick, position: NDArray[np.float64], rate: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Give the motor force (n, 3) in N and N·m without a field, at positions and rates (n, 3)."""
+    force = np.empty_like(position)
+    for i, mechanism in enumerate(_mechanisms(stick)):
+        centring = (
+            -mechanism.centring_stiffness * position[:, i] - mechanism.centring_damping * rate[:, i]
+        )
+        weight = mechanism.gravity * np.sin(position[:, i] / mechanism.lever)
+        if stick.as_published:
+            scale = mechanism.counts_per_newton
+            for row, (push, heavy) in enumerate(zip(centring, weight, strict=True)):
+                force[row, i] = motor_counts_as_published(0.0, push * scale, -heavy * scale) / scale
+        else:
+            force[:, i] = np.clip(centring - weight, -mechanism.limit, mechanism.limit)
+    return force
+
+
 class StickInMotion(RunningDevice):
     """Position and rate of three axes; `_tick` is the innermost loop of a trial and kept flat."""
 
@@ -60,11 +92,7 @@ class StickInMotion(RunningDevice):
         self._dt = 1.0 / (physics_hz * stick.ticks_per_step)
         self._ticks = stick.ticks_per_step
         self._as_published = stick.as_published
-        self._mechanisms = (
-            _in_si(stick.x, stick.force_limit, count, scale.lever),
-            _in_si(stick.y, stick.force_limit, count, scale.lever),
-            _in_si(stick.theta, stick.torque_limit, turn, inf),
-        )
+        self._mechanisms = _mechanisms(stick)
         self.axes = (
             Channel("stick_x", "m", "handle's travel, forward", count),
             Channel("stick_y", "m", "handle's travel, left", count),

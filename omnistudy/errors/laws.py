@@ -10,8 +10,8 @@ class BadScanFile(OmnistudyError):
 
     def __init__(self, path: Path, fault: str) -> None:
         super().__init__(
-            f"scan file {path}: {fault}; it is JSON with 'angles' (rad), 'ranges' (m) and "
-            "'max_range' (m)"
+            f"scan file {path}: {fault}; it is JSON with 'angles' (rad), 'ranges' (m), "
+            "'max_range' (m) and, where it matters, 'x', 'y' (m) and 'rates' (m/s) of each ray"
         )
 
 

@@ -26,6 +26,28 @@ class UnknownKind(OmnistudyError):
         self.given = given
 
 
+class UnknownKindOrPage(OmnistudyError):
+    """A name that is neither a kind nor a page of its group."""
+
+    def __init__(self, group: str, given: str, allowed: Iterable[str]) -> None:
+        names = sorted(allowed)
+        super().__init__(
+            f"no kind and no page '{given}' in {group}: there are {', '.join(names)}"
+            f"{nearest(given, names)}"
+        )
+
+
+class PageOfUnknownKind(OmnistudyError):
+    """A page whose `kind:` no room and no installed package offers."""
+
+    def __init__(self, file: Path, kind: str, group: str, allowed: Iterable[str]) -> None:
+        names = sorted(allowed)
+        super().__init__(
+            f"{file} is of the kind '{kind}', but the kinds of {group} are {', '.join(names)}: "
+            f"install the package that announces it, or mend the page{nearest(kind, names)}"
+        )
+
+
 class BrokenKind(OmnistudyError):
     """A kind that is announced by an installed package but cannot be loaded."""
 

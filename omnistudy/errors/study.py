@@ -48,3 +48,35 @@ class UnknownParticipant(OmnistudyError):
             f"study '{study}' has no participant '{given}': its participants are {known}"
             f"{nearest(given, codes)}"
         )
+
+
+class OrderDiffers(OmnistudyError):
+    """A trial that is not the one that the protocol plans in its place."""
+
+    def __init__(self, study: str, participant: str, position: int) -> None:
+        super().__init__(
+            f"study '{study}': trial {position} of {participant} is not the one that the frozen "
+            "protocol plans in its place, so the database was changed: nothing was run; go back to "
+            "a copy of the study"
+        )
+
+
+class DesignChanged(OmnistudyError):
+    """An amendment that would change the design of a study."""
+
+    def __init__(self, study: str, differences: Sequence[object]) -> None:
+        lines = "\n  ".join(str(difference) for difference in differences)
+        super().__init__(
+            f"the amendment changes the design of study '{study}', whose allocation is drawn: put "
+            "that back (site, texts, device and masked labels may change), or create another study "
+            f"from it. What differs (frozen -> given):\n  {lines}"
+        )
+
+
+class NothingAmended(OmnistudyError):
+    """An amendment without a difference."""
+
+    def __init__(self, study: str) -> None:
+        super().__init__(
+            f"the protocol is the one that study '{study}' has already: there is nothing to amend"
+        )

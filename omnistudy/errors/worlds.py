@@ -40,7 +40,46 @@ class BrokenSdf(OmnistudyError):
     """A Gazebo world that cannot be imported."""
 
     def __init__(self, file: Path, fault: str) -> None:
-        super().__init__(f"{file}: {fault}; boxes, cylinders and planes in SDF can be imported")
+        super().__init__(
+            f"{file}: {fault}; boxes, cylinders, planes and actors in SDF can be imported"
+        )
+
+
+class BrokenMap(OmnistudyError):
+    """A map of ROS's map_server that cannot be imported."""
+
+    def __init__(self, file: Path, fault: str) -> None:
+        super().__init__(f"{file}: {fault}; a map is a YAML page of map_server and its image")
+
+
+class NoFreeSpace(OmnistudyError):
+    """A map in which there is nowhere to drive."""
+
+    def __init__(self, file: Path, occupied: int, unknown: int) -> None:
+        super().__init__(
+            f"{file}: no cell is free: {occupied} are occupied and {unknown} unknown; look at "
+            "negate and the thresholds, or at the image"
+        )
+
+
+class TooManyBoxes(OmnistudyError):
+    """A map of specks that no few boxes can stand for."""
+
+    def __init__(self, file: Path, most: int) -> None:
+        super().__init__(
+            f"{file}: its occupied cells need more than {most} boxes: is the image a map? Clear it "
+            "of specks, cut out what is driven through, or make its cells coarser"
+        )
+
+
+class NoRoute(OmnistudyError):
+    """A world that nobody can drive through yet."""
+
+    def __init__(self, world: str) -> None:
+        super().__init__(
+            f"world '{world}' has no route: add one to its page under `routes`, which leads to a "
+            "finish body, or import its map again with --goal X Y"
+        )
 
 
 class NoWay(OmnistudyError):

@@ -25,6 +25,12 @@ class Scan:
     origins: NDArray[np.float64] | None = None
     rates: NDArray[np.float64] | None = None
 
+    def points(self) -> NDArray[np.float64]:
+        """Give where each ray ends, (n, 2) m, robot frame."""
+        towards = np.stack((np.cos(self.angles), np.sin(self.angles)), axis=1)
+        along: NDArray[np.float64] = self.ranges[:, np.newaxis] * towards
+        return along if self.origins is None else self.origins + along
+
     def mirrored(self) -> Scan:
         """Give the scan of the scene reflected left to right."""
         origins = None if self.origins is None else self.origins * (1.0, -1.0)

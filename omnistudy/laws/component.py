@@ -7,8 +7,8 @@ from typing import Annotated, Literal
 from annotated_types import Ge
 
 from omnistudy.laws import published
-from omnistudy.laws.springs import Damping, SpringLaw, Stiffness, Touches
-from omnistudy.units import Metres, NewtonMetreSeconds, TorqueStiffness
+from omnistudy.laws.springs import SpringLaw, Stiffness, Touches, TurningDamping
+from omnistudy.units import Metres, TorqueStiffness
 
 
 class TurningStiffness(Stiffness):
@@ -16,13 +16,6 @@ class TurningStiffness(Stiffness):
 
     theta: Annotated[TorqueStiffness, Ge(0.0)] = 315.0 * 100 * published.NEWTON_METRES_PER_COUNT
     """315 PWM per cm·m of mean moment (appendix B, gainQ = 2100·0.15): 543.5 N·m/m²."""
-
-
-class TurningDamping(Damping):
-    """Dampers along the robot's axes and of its rotation."""
-
-    theta: Annotated[NewtonMetreSeconds, Ge(0.0)] = 12.0 * published.NEWTON_METRES_PER_COUNT
-    """12 PWM per rad/s (appendix B, dgainQ = 100·0.12): 0.207 N·m·s."""
 
 
 class ComponentLaw(SpringLaw):
@@ -39,8 +32,8 @@ class ComponentLaw(SpringLaw):
     compliance_centre: Metres = 0.0
     """How far ahead of the robot's centre the compliance centre lies (sec. 4.5, Fig. 4.11)."""
 
-    def turning(self, touches: Touches) -> tuple[float, float]:
+    def turning(self, touches: Touches, fx: float, fy: float) -> tuple[float, float]:
         """Give mean(-k·py·(d·cos a - c)) over the touching rays, and its damper."""
         across = touches.depth * touches.sin
-        arm = touches.distance * touches.cos - self.compliance_centre
+        arm = touches.x - self.compliance_centre
         return 0.0 - self.stiffness.theta * self.mean(across, arm), self.damping.theta

@@ -7,6 +7,7 @@ from math import isfinite
 
 from omnistudy.errors.laws import NoForce
 from omnistudy.geometry import ForceField, Matrix3, PlanarWrench, Scan, Vector3
+from omnistudy.laws.boundary import Penetrations, boundary_of
 from omnistudy.laws.law import Law, Sensed
 from omnistudy.laws.springs import SpringLaw
 
@@ -46,15 +47,23 @@ def probe(law: Law, sensed: Sensed) -> Probe:
         damping=field.damping,
         about=field.about,
         valid_for=field.valid_for,
-        n=_touching(law, sensed.scan),
+        n=_count(law, sensed.scan),
     )
 
 
-def _touching(law: Law, scan: Scan) -> int | None:
-    if not isinstance(law, SpringLaw):
+def touching(law: Law, scan: Scan) -> Penetrations | None:
+    """Give the rays that reach into a law's boundary, None where none does or there is none."""
+    if isinstance(law, SpringLaw):
+        return law.touching(scan)
+    boundary = boundary_of(law)
+    return None if boundary is None else boundary.penetrations(scan)
+
+
+def _count(law: Law, scan: Scan) -> int | None:
+    if boundary_of(law) is None:
         return None
-    touching = law.touching(scan)
-    return 0 if touching is None else touching.rays.size
+    found = touching(law, scan)
+    return 0 if found is None else found.rays.size
 
 
 def _felt(field: ForceField, stick: Vector3, rate: Vector3) -> PlanarWrench:

@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from omnistudy.geometry import PlanarPose
-from omnistudy.laws.boundary import Boundary, RectangularBoundary
+from omnistudy.laws.boundary import Boundary, RectangularBoundary, boundary_of
 from omnistudy.laws.law import Law
-from omnistudy.laws.springs import SpringLaw
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -34,8 +33,9 @@ def draw_robot(axes: Axes, law: Law, pose: PlanarPose) -> None:
     tips = ((0.92, 0.0), (0.7, 0.35), (0.7, -0.35))
     nose = [pose.to_world(half_length * x, half_width * y) for x, y in tips]
     axes.add_patch(Polygon(nose, facecolor="#9aa1ab", zorder=1))
-    if isinstance(law, SpringLaw):
-        _draw_boundary(axes, law.boundary, pose)
+    boundary = boundary_of(law)
+    if boundary is not None:
+        _draw_boundary(axes, boundary, pose)
 
 
 def _draw_boundary(axes: Axes, boundary: Boundary, pose: PlanarPose) -> None:

@@ -16,17 +16,25 @@ from omnistudy.geometry import Scan
 def read_scan(path: Path) -> Scan:
     """Read a scan from JSON with `angles` (rad), `ranges` (m) and `max_range` (m).
 
-    Other keys are left alone. Raises BadScanFile, which says what is wrong.
+    Rays that do not start at the robot's centre have `x` and `y` (m), what a sensor tells of how
+    fast its ranges grow stands in `rates` (m/s); other keys are left alone. Raises BadScanFile,
+    which says what is wrong.
     """
     content = _content(path)
     angles = _numbers(path, content, "angles")
-    ranges = _numbers(path, content, "ranges")
-    if len(angles) != len(ranges):
-        raise BadScanFile(path, f"{len(angles)} angles but {len(ranges)} ranges")
+    ranges = _per_ray(path, content, "ranges", len(angles))
     max_range = _number(path, "'max_range'", _value(path, content, "max_range"))
     if max_range <= 0.0:
         raise BadScanFile(path, f"'max_range' is {max_range:g} and must be above zero")
-    return Scan(np.array(angles, np.float64), np.array(ranges, np.float64), max_range)
+    origins = rates = None
+    if "x" in content or "y" in content:
+        places = [_per_ray(path, content, axis, len(angles)) for axis in ("x", "y")]
+        origins = np.array(places, np.float64).T
+    if "rates" in content:
+        rates = np.array(_per_ray(path, content, "rates", len(angles)), np.float64)
+    return Scan(
+        np.array(angles, np.float64), np.array(ranges, np.float64), max_range, origins, rates
+    )
 
 
 def _content(path: Path) -> dict[str, Any]:
@@ -58,6 +66,13 @@ def _numbers(path: Path, content: dict[str, Any], key: str) -> list[float]:
     if not values:
         raise BadScanFile(path, f"'{key}' is empty")
     return [_number(path, f"'{key}', entry {i},", value) for i, value in enumerate(values)]
+
+
+def _per_ray(path: Path, content: dict[str, Any], key: str, rays: int) -> list[float]:
+    values = _numbers(path, content, key)
+    if len(values) != rays:
+        raise BadScanFile(path, f"{rays} angles but {len(values)} {key}")
+    return values
 
 
 def _number(path: Path, name: str, value: Any) -> float:

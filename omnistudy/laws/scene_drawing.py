@@ -1,18 +1,19 @@
-"""What a law does in one scene: the scan, the springs that touch, the wrench on the hand."""
+"""What laws do in one scene: the scan, what reaches into the boundary, the wrench on the hand."""
 
 from __future__ import annotations
 
-from math import hypot
+from collections.abc import Sequence
+from math import ceil, hypot
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from omnistudy.geometry import ZERO_MATRIX, PlanarPose, PlanarTwist, Scan
-from omnistudy.laws.law import Law, Sensed
-from omnistudy.laws.probe import Probe, probe
+from omnistudy.geometry import PlanarPose, Scan
+from omnistudy.laws.law import Law
+from omnistudy.laws.probe import Probe, touching
 from omnistudy.laws.robot_drawing import CLOCKWISE, COUNTER_CLOCKWISE, INK, draw_robot
-from omnistudy.laws.springs import SpringLaw
+from omnistudy.laws.shown import shown, stick_shown
 from omnistudy.pictures import picture
 
 if TYPE_CHECKING:
@@ -22,7 +23,7 @@ ALONG_X = "#2b8a3e"
 ALONG_Y = "#1864ab"
 """Green along x and blue along y, as the thesis drew them (appendix B)."""
 
-SPRING = "#e8590c"
+DEPTH = "#e8590c"
 
 NEWTONS_PER_METRE_DRAWN = 40.0
 """An arrow of 1 m in the picture is this force."""
@@ -38,50 +39,66 @@ SHORTEST_ARC, LONGEST_ARC = 0.5, 4.5
 SHOWN_AROUND = 0.75
 """m to each side of the robot that are always in the picture."""
 
+ALONE, BESIDE_OTHERS = 6.0, 4.5
+"""Inches of the picture of one law, and of each of several."""
 
-def draw_scene(law: Law, scan: Scan, path: Path, replace: bool = False) -> None:
-    """Draw what the scan saw, the springs inside the boundary, and force and torque at rest.
+COLUMNS = 3
+"""Laws side by side before a new row begins."""
 
-    Raises UnknownPictureFormat, PictureExists or NoForce.
+
+def draw_scene(laws: Sequence[Law], scan: Scan, path: Path, replace: bool = False) -> None:
+    """Draw what the scan saw, what reaches into the boundary, and force and torque on the hand.
+
+    Several laws are drawn side by side. Raises UnknownPictureFormat, PictureExists or NoForce.
     """
     with picture(path, replace) as figure:
-        found = probe(law, Sensed(scan, PlanarTwist(0.0, 0.0, 0.0), ZERO_MATRIX))
-        figure.set_size_inches(6.0, 6.0)
-        axes = figure.subplots()
-        axes.set(xlim=(-SHOWN_AROUND, SHOWN_AROUND), ylim=(-SHOWN_AROUND, SHOWN_AROUND))
-        axes.set(aspect="equal", xlabel="x in m, ahead", ylabel="y in m, left")
-        axes.set_title(_title(found), color=INK, fontsize=10.0)
-        draw_robot(axes, law, PlanarPose(0.0, 0.0, 0.0))
-        _draw_seen(axes, scan)
-        if isinstance(law, SpringLaw):
-            _draw_springs(axes, law, scan)
-        _draw_forces(axes, found)
-        _draw_torque(axes, found.tau)
-        if axes.get_legend_handles_labels()[0]:
-            axes.legend(loc="lower left", fontsize=8.0, frameon=False)
+        columns = min(len(laws), COLUMNS)
+        rows = ceil(len(laws) / columns)
+        size = ALONE if len(laws) == 1 else BESIDE_OTHERS
+        figure.set_size_inches(size * columns, size * rows)
+        panels = figure.subplots(rows, columns, squeeze=False).ravel()
+        for axes, law in zip(panels, laws, strict=False):
+            _draw_panel(axes, law, scan)
+        for axes in panels[len(laws) :]:
+            axes.set_axis_off()
 
 
-def _title(found: Probe) -> str:
+def _draw_panel(axes: Axes, law: Law, scan: Scan) -> None:
+    found = shown(law, scan)
+    axes.set(xlim=(-SHOWN_AROUND, SHOWN_AROUND), ylim=(-SHOWN_AROUND, SHOWN_AROUND))
+    axes.set(aspect="equal", xlabel="x in m, ahead", ylabel="y in m, left")
+    axes.set_title(_title(found, stick_shown(law)), color=INK, fontsize=10.0)
+    draw_robot(axes, law, PlanarPose(0.0, 0.0, 0.0))
+    _draw_seen(axes, scan)
+    _draw_depths(axes, law, scan)
+    _draw_forces(axes, found)
+    _draw_torque(axes, found.tau)
+    if axes.get_legend_handles_labels()[0]:
+        axes.legend(loc="lower left", fontsize=8.0, frameon=False)
+
+
+def _title(found: Probe, stick: str) -> str:
     wrench = f"Fx {found.fx:+.2f} N, Fy {found.fy:+.2f} N, torque {found.tau:+.2f} N·m"
-    rays = "" if found.n is None else f": {found.n} rays touch the boundary"
-    return f"law '{found.kind}'{rays}\n{wrench}"
+    count = {None: "", 1: ": 1 ray touches the boundary"}
+    rays = count.get(found.n, f": {found.n} rays touch the boundary")
+    return f"law '{found.kind}'{rays}{stick}\n{wrench}"
 
 
 def _draw_seen(axes: Axes, scan: Scan) -> None:
     met = (scan.ranges > 0.0) & (scan.ranges < scan.max_range)
-    x, y = scan.ranges[met] * np.cos(scan.angles[met]), scan.ranges[met] * np.sin(scan.angles[met])
-    axes.plot(x, y, "o", color=INK, markersize=3.5, zorder=4)
+    axes.plot(*scan.points()[met].T, "o", color=INK, markersize=3.5, zorder=4)
 
 
-def _draw_springs(axes: Axes, law: SpringLaw, scan: Scan) -> None:
+def _draw_depths(axes: Axes, law: Law, scan: Scan) -> None:
     """Draw a line from what each ray met out to the boundary."""
-    touching = law.touching(scan)
-    if touching is None:
+    found = touching(law, scan)
+    if found is None:
         return
-    angles = scan.angles[touching.rays]
-    ends = np.stack((touching.distance, touching.distance + touching.depth))
-    axes.plot(ends * np.cos(angles), ends * np.sin(angles), color=SPRING, linewidth=1.2, zorder=3)
-    axes.plot([], [], color=SPRING, linewidth=1.2, label="springs inside the boundary")
+    angles = scan.angles[found.rays]
+    met = scan.points()[found.rays]
+    out = met + (found.depth * np.array((np.cos(angles), np.sin(angles)))).T
+    axes.plot(*np.stack((met, out)).transpose(2, 0, 1), color=DEPTH, linewidth=1.2, zorder=3)
+    axes.plot([], [], color=DEPTH, linewidth=1.2, label="inside the boundary")
 
 
 def _draw_forces(axes: Axes, found: Probe) -> None:

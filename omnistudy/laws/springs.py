@@ -28,7 +28,7 @@ from omnistudy.laws import published
 from omnistudy.laws.boundary import AnyBoundary, Penetrations, RectangularBoundary
 from omnistudy.laws.law import Sensed, WrenchLaw
 from omnistudy.registry import Model
-from omnistudy.units import NewtonSecondsPerMetre, NewtonsPerMetre
+from omnistudy.units import NewtonMetreSeconds, NewtonSecondsPerMetre, NewtonsPerMetre
 
 Floats = NDArray[np.float64]
 
@@ -59,18 +59,39 @@ class Damping(Model):
     """90 PWM per m/s (appendix B, dgainY = 750·0.12): 4.765 N·s/m."""
 
 
+class TurningDamping(Damping):
+    """Dampers along the robot's axes and of its rotation."""
+
+    theta: Annotated[NewtonMetreSeconds, Ge(0.0)] = 12.0 * published.NEWTON_METRES_PER_COUNT
+    """12 PWM per rad/s (appendix B, dgainQ = 100·0.12): 0.207 N·m·s."""
+
+
 class Touches(NamedTuple):
     """The springs that touch, all arrays (n,).
 
     depth : m, radial penetration.
-    distance : m, from the robot's centre to what is touched.
+    distance : m, from where the ray starts to what is touched.
     cos, sin : direction that the spring is resolved with.
+    origins : (n, 2) m, robot frame, where each ray starts; None for the robot's centre.
     """
 
     depth: Floats
     distance: Floats
     cos: Floats
     sin: Floats
+    origins: Floats | None = None
+
+    @property
+    def x(self) -> Floats:
+        """How far ahead of the robot's centre each touched point lies, in m."""
+        along = self.distance * self.cos
+        return along if self.origins is None else self.origins[:, 0] + along
+
+    @property
+    def y(self) -> Floats:
+        """How far to the left of the robot's centre each touched point lies, in m."""
+        along = self.distance * self.sin
+        return along if self.origins is None else self.origins[:, 1] + along
 
 
 class SpringLaw(WrenchLaw):
@@ -89,8 +110,11 @@ class SpringLaw(WrenchLaw):
     """Do as the thesis's code does: the angle of the ray before, two decimals, far clip 0.5 m."""
 
     @abstractmethod
-    def turning(self, touches: Touches) -> tuple[float, float]:
-        """Give the springs' torque in N·m and the damping of rotation that joins it, N·m·s."""
+    def turning(self, touches: Touches, fx: float, fy: float) -> tuple[float, float]:
+        """Give the springs' torque in N·m and the damping of rotation that joins it, N·m·s.
+
+        fx, fy : N, what the springs push with.
+        """
 
     def wrench(self, scan: Scan, twist: PlanarTwist) -> PlanarWrench:
         """Give springs minus dampers in N, N, N·m, unclipped."""
@@ -137,7 +161,7 @@ class SpringLaw(WrenchLaw):
         touches = self._touches(penetrations, scan)
         fx = 0.0 - self.stiffness.x * self.mean(touches.depth, touches.cos)
         fy = 0.0 - self.stiffness.y * self.mean(touches.depth, touches.sin)
-        tau, turning_damping = self.turning(touches)
+        tau, turning_damping = self.turning(touches, fx, fy)
         return PlanarWrench(fx, fy, tau), (
             self.damping.x if fx else 0.0,
             self.damping.y if fy else 0.0,
@@ -146,8 +170,8 @@ class SpringLaw(WrenchLaw):
 
     def _touches(self, penetrations: Penetrations, scan: Scan) -> Touches:
         cos, sin = _directions(np.asarray(scan.angles, np.float64).tobytes(), self.as_published)
-        rays, depth, distance = penetrations
-        return Touches(depth, distance, cos[rays], sin[rays])
+        rays, depth, distance, origins = penetrations
+        return Touches(depth, distance, cos[rays], sin[rays], origins)
 
     def _damped(self, springs: PlanarWrench, dampers: Vector3, twist: PlanarTwist) -> PlanarWrench:
         if self.as_published:

@@ -12,6 +12,6 @@ class ZeroTorqueLaw(SpringLaw):
 
     kind: Literal["zero_torque"] = "zero_torque"
 
-    def turning(self, touches: Touches) -> tuple[float, float]:
+    def turning(self, touches: Touches, fx: float, fy: float) -> tuple[float, float]:
         """Give no torque and no damper of rotation."""
         return 0.0, 0.0

@@ -78,6 +78,10 @@ class Decision(Model):
     """Most that the wanted deflection grows to (ours): about 30 N at the median arm."""
     relaxation: Annotated[Seconds, Positive] = 2.0
     """Time constant with which the effort falls back once the robot moves (ours)."""
+    foresight: Annotated[Seconds, NonNegative] = 2.5
+    """How far ahead the driver thinks moving bodies on, to let them pass (ours)."""
+    berth: Annotated[Metres, NonNegative] = 0.15
+    """Gap to a moving body below which the driver rather stands (ours)."""
 
 
 class Arm(Model):

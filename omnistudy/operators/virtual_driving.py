@@ -8,6 +8,7 @@ from typing import Any
 
 from omnistudy.devices import Hand
 from omnistudy.geometry import PlanarPose, wrapped
+from omnistudy.operators.giving_way import waits
 from omnistudy.operators.noise import OrnsteinUhlenbeck
 from omnistudy.operators.operator import Person, RunningOperator
 from omnistudy.operators.virtual_driver import VirtualDriver
@@ -117,6 +118,8 @@ class VirtualDriving(RunningOperator):
             self._way, self._leg = Way(leg), leg
         way = self._way
         place = way.find(pose.x, pose.y)
+        if self._gives_way(way, pose, situation):
+            return STILL
         bearing = self._bearing(pose, way.at(place + perception.preview))
         turn = self._driver.decision.bearing_gain / self._driver.stick.top_turning
         if abs(bearing) > perception.half_view:
@@ -130,6 +133,11 @@ class VirtualDriving(RunningOperator):
         forward = decision.pace * max(0.0, cos(bearing)) * (1.0 - 0.5 * min(1.0, abs(bearing)))
         left = decision.lateral_gain * sideways / self._driver.stick.top_speed
         return (forward, max(-1.0, min(1.0, left)), max(-1.0, min(1.0, wanted_turn)))
+
+    def _gives_way(self, way: Way, pose: PlanarPose, situation: Situation) -> bool:
+        decision = self._driver.decision
+        speed = decision.pace * self._driver.stick.top_speed
+        return waits(situation.passing, way, pose, speed, decision.foresight, decision.berth)
 
     def _bearing(self, pose: PlanarPose, point: tuple[float, float]) -> float:
         return wrapped(atan2(point[1] - pose.y, point[0] - pose.x) - pose.theta)

@@ -2,7 +2,7 @@
 
 from omnistudy.protocol.condition import Condition, Factor, Level
 from omnistudy.protocol.freeze import FrozenProtocol, freeze, thaw
-from omnistudy.protocol.plan import PlannedTrial, plan
+from omnistudy.protocol.plan import PlannedTrial, StudyPlan, plan
 from omnistudy.protocol.protocol import Protocol, Setup
 
 __all__ = [
@@ -13,6 +13,7 @@ __all__ = [
     "PlannedTrial",
     "Protocol",
     "Setup",
+    "StudyPlan",
     "freeze",
     "plan",
     "thaw",

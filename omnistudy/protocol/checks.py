@@ -7,12 +7,16 @@ from collections.abc import Callable, Collection, Iterator
 from itertools import chain
 from typing import NamedTuple
 
-import numpy as np
-
 from omnistudy.errors import nearest
 from omnistudy.protocol.condition import Condition
+from omnistudy.protocol.design_checks import (
+    course_faults,
+    place_faults,
+    visit_faults,
+)
 from omnistudy.protocol.protocol import Protocol
 from omnistudy.protocol.schedule import session_duration
+from omnistudy.protocol.visit import Visit
 from omnistudy.worlds import World
 from omnistudy.worlds.check import check_world
 
@@ -36,7 +40,7 @@ def cross_faults(protocol: Protocol, valid: Collection[str]) -> tuple[str, ...]:
 def session_faults(protocol: Protocol) -> tuple[str, ...]:
     """Tell when a session is longer than its limit; needs a protocol without other faults."""
     longest = protocol.session.longest
-    expected = max(session_duration(protocol, slot) for slot in range(protocol.participants.count))
+    expected = session_duration(protocol)
     if expected <= longest:
         return ()
     return (
@@ -73,29 +77,20 @@ def _levels(protocol: Protocol) -> Iterator[str]:
                 )
 
 
-def _order(protocol: Protocol) -> Iterator[str]:
-    names = [condition.name for condition in protocol.conditions]
-    sequence = protocol.order.sequence(names, 0, np.random.default_rng(0))
-    for given in dict.fromkeys(sequence):
-        if given not in names:
-            yield (
-                f"order: unknown condition '{given}': the conditions are {', '.join(names)}"
-                f"{nearest(given, names)}"
-            )
-    for name in names:
-        if name not in sequence:
-            yield f"order: condition '{name}' is never met: put it into the order or take it out"
-
-
 def _routes(protocol: Protocol) -> Iterator[str]:
     for world in _worlds(protocol):
         names = [route.name for route in world.routes]
-        for given in protocol.routes:
+        for given in _routes_named(protocol):
             if given not in names:
                 yield (
                     f"routes: world '{world.name}' has no route '{given}': its routes are "
                     f"{', '.join(names)}{nearest(given, names)}"
                 )
+
+
+def _routes_named(protocol: Protocol) -> tuple[str, ...]:
+    own = [block.routes for visit in _sound_visits(protocol) for block in visit.blocks]
+    return tuple(dict.fromkeys((*protocol.routes, *chain.from_iterable(own))))
 
 
 def _drivable(protocol: Protocol) -> Iterator[str]:
@@ -107,7 +102,7 @@ def _drivable(protocol: Protocol) -> Iterator[str]:
         ),
     ]
     for world, plant in {repr(setup): setup for setup in setups}.values():
-        driven = tuple(route for route in world.routes if route.name in protocol.routes)
+        driven = tuple(route for route in world.routes if route.name in _routes_named(protocol))
         if driven:
             checked = check_world(
                 world.model_copy(update={"routes": driven}), plant.width, plant.circumradius
@@ -143,6 +138,10 @@ def _worlds(protocol: Protocol) -> tuple[World, ...]:
     return tuple({repr(world): world for world in (protocol.world, *own)}.values())
 
 
+def _sound_visits(protocol: Protocol) -> tuple[Visit, ...]:
+    return protocol.visits if "visits" in protocol.model_fields_set else ()
+
+
 def _sound_conditions(protocol: Protocol) -> tuple[Condition, ...]:
     """Give the conditions, or none when they are faulty, so that the rest is looked at."""
     return protocol.conditions if "conditions" in protocol.model_fields_set else ()
@@ -151,7 +150,9 @@ def _sound_conditions(protocol: Protocol) -> tuple[Condition, ...]:
 CHECKS = (
     Check(("conditions",), _labels),
     Check(("factors", "conditions"), _levels),
-    Check(("order", "conditions"), _order),
+    Check(("order", "visits", "factors", "conditions"), course_faults),
+    Check(("visits",), visit_faults),
+    Check(("participants", "factors", "conditions"), place_faults),
     Check(("world", "routes"), _routes),
     Check(("world", "plant", "routes"), _drivable),
     Check(("participants",), _participants),

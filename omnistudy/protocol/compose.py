@@ -9,9 +9,11 @@ from typing import Annotated, Any, NamedTuple
 import yaml
 from pydantic import TypeAdapter, ValidationError
 
+from omnistudy.errors import nearest
 from omnistudy.errors.protocol import ProtocolFaults, UnknownProtocol
 from omnistudy.protocol.checks import cross_faults, session_faults
-from omnistudy.protocol.completion import PARTS, completed
+from omnistudy.protocol.completion import PARTS, Page, completed
+from omnistudy.protocol.design_checks import factor_faults
 from omnistudy.protocol.faults import explained
 from omnistudy.protocol.protocol import Protocol
 from omnistudy.registry.conf import conf_roots, protocol_roots
@@ -39,7 +41,29 @@ def compose_protocol(
         tree = composed(page.stem, existing, overrides, GROUPS)
     except ProtocolFaults as fault:
         raise ProtocolFaults(str(page), fault.faults) from fault
-    return read_protocol(completed(tree), str(page))
+    return read_protocol(completed(tree, page_reader(str(page), existing)), str(page))
+
+
+def page_reader(where: str, folders: Sequence[Path]) -> Page:
+    """Give what reads a page by group and name, for a protocol's page `where`.
+
+    It raises ProtocolFaults for a page that no folder has.
+    """
+
+    def read(group: str, name: str) -> Any:
+        from omnistudy.protocol.page import composed
+
+        names = sorted(
+            {page.stem for folder in folders for page in (folder / group).glob("*.yaml")}
+        )
+        if name not in names:
+            known = f"its pages are {', '.join(names)}{nearest(name, names)}"
+            raise ProtocolFaults(
+                where, [f"{group}: given '{name}', but there is no such page: {known}"]
+            )
+        return composed(f"{group}/{name}", tuple(folders), (), ())[group]
+
+    return read
 
 
 def find_protocol(name_or_file: str | Path, lab: Path | None = None) -> Path:
@@ -95,7 +119,10 @@ def read_protocol(tree: Mapping[str, Any], where: str) -> Protocol:
         faults = explained(error, Protocol, tree)
         faults += cross_faults(Protocol.model_construct(**parts), parts)
         raise ProtocolFaults(where, faults) from error
-    faults = cross_faults(protocol, Protocol.model_fields) or session_faults(protocol)
+    faults = cross_faults(protocol, Protocol.model_fields) or (
+        *factor_faults(protocol),
+        *session_faults(protocol),
+    )
     if faults:
         raise ProtocolFaults(where, faults)
     return protocol

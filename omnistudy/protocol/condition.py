@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field
 
@@ -34,6 +34,8 @@ class Factor(Model):
 
     name: Name
     """What the database calls it."""
+    vary: Literal["within", "between"] = "within"
+    """Within participants, who then meet every level, or between them: each meets one."""
     levels: Annotated[tuple[LevelText, ...], Field(min_length=1)]
     """Every level that a condition may have."""
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from pydantic import Field, SerializeAsAny
+from pydantic import SerializeAsAny
 
 from omnistudy.controllers import Controller
 from omnistudy.devices import Device
@@ -13,11 +13,9 @@ from omnistudy.operators import Operator
 from omnistudy.plants import Plant
 from omnistudy.protocol.ordering.order import Order
 from omnistudy.registry import kind_validator
+from omnistudy.registry.name import Name as Name
 from omnistudy.tasks import Task
 from omnistudy.worlds import World
-
-Name = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]*$", max_length=60)]
-"""What code, files and tables call a thing: small letters, digits and underscores."""
 
 AnyWorld = Annotated[SerializeAsAny[World], kind_validator("worlds")]
 AnyPlant = Annotated[SerializeAsAny[Plant], kind_validator("plants")]

@@ -39,7 +39,8 @@ def composed(
     except OverrideParseException as fault:
         raise ProtocolFaults(name, [_bad_override(fault)]) from fault
     except CompactHydraException as fault:
-        raise ProtocolFaults(name, [_first_line(fault)]) from fault
+        cause = f": {_first_line(fault.__cause__)}" if fault.__cause__ else ""
+        raise ProtocolFaults(name, [f"{_first_line(fault)}{cause}"]) from fault
     except InterpolationResolutionError as fault:
         raise ProtocolFaults(name, [f"{fault.full_key}: {_first_line(fault)}"]) from fault
     except OmegaConfBaseException as fault:
@@ -96,5 +97,5 @@ def _not_yaml(fault: YAMLError) -> str:
     return _first_line(fault)
 
 
-def _first_line(fault: Exception) -> str:
+def _first_line(fault: BaseException) -> str:
     return " ".join(str(fault).strip().splitlines()[0].split())

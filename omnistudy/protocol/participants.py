@@ -6,8 +6,18 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from omnistudy.protocol.fields import Name
 from omnistudy.registry import Model
 from omnistudy.units import Positive, Seconds
+
+
+class Stratum(Model):
+    """Participants who are alike in something that is known before they are allocated."""
+
+    name: Name
+    """What the database calls it."""
+    count: Annotated[int, Field(ge=1, le=1000)]
+    """Slots of the stratum."""
 
 
 class Participants(Model):
@@ -17,6 +27,8 @@ class Participants(Model):
     """Human and virtual participants never meet in one study."""
     count: Annotated[int, Field(ge=1, le=1000)]
     """Slots to be filled."""
+    strata: tuple[Stratum, ...] = ()
+    """A mapping from the stratum's name to its slots; each is allocated by itself."""
     study_key: str = ""
     """Behind orders and trial seeds of a virtual study; a human study's lies in its vault."""
     participant_key: str = ""
@@ -24,7 +36,7 @@ class Participants(Model):
 
 
 class SessionLimits(Model):
-    """Time that one participant gives in one session."""
+    """Time that one participant gives in one visit."""
 
     longest: Annotated[Seconds, Positive, Field(le=3600.0)] = 3600.0
     """At most one hour a person (Tyagi 2017, ch. 5)."""

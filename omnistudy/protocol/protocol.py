@@ -27,6 +27,7 @@ from omnistudy.protocol.fields import (
 )
 from omnistudy.protocol.participants import Participants, SessionLimits
 from omnistudy.protocol.site import Site
+from omnistudy.protocol.visit import Block, Visit
 from omnistudy.registry import Model
 from omnistudy.tasks import Messages, Task
 from omnistudy.worlds import World
@@ -78,14 +79,23 @@ class Protocol(Model):
     """What is to be done."""
     recording: Recording = Recording()
     """How often physics, scan and samples tick."""
-    order: AnyOrder
-    """In which sequence a participant meets the conditions."""
+    order: AnyOrder | None = None
+    """In which sequence a participant meets the conditions; short for one visit of one block."""
+    visits: tuple[Visit, ...] = ()
+    """Instead of `order`: a mapping from the visit's name to its blocks of trials."""
     routes: Annotated[tuple[str, ...], Field(min_length=1)]
-    """Routes of the world, shuffled evenly over each participant's trials."""
+    """Routes of the world, spread evenly over each condition and shuffled."""
     participants: Participants
     """Who takes part."""
     session: SessionLimits = SessionLimits()
     """How long a session may last."""
+
+    @property
+    def course(self) -> tuple[Visit, ...]:
+        """The visits, whichever way the page gives them."""
+        if self.order is None:
+            return self.visits
+        return (Visit(name="first", blocks=(Block(order=self.order),)),)
 
     def condition(self, name: str) -> Condition:
         """Give a condition by name; raises UnknownCondition."""

@@ -1,4 +1,4 @@
-"""Seeds of a study: of an order, of a virtual person, of a trial's attempt.
+"""Seeds of a study: of its allocation, of a virtual person, of a trial's attempt.
 
 A seed is 64 hex digits of SHA-256 over what identifies the thing, so that it can be made again from
 the frozen protocol and the study key alone.
@@ -9,9 +9,9 @@ from __future__ import annotations
 from omnistudy.seeds import seed_text
 
 
-def order_seed(design_hash: str, study_key: str, slot: int) -> str:
-    """Give the seed behind a slot's order: the same for whoever occupies the slot."""
-    return seed_text("order", design_hash, study_key, slot)
+def allocation_seed(design_hash: str, study_key: str) -> str:
+    """Give the seed behind groups, orders and routes: it knows no participant."""
+    return seed_text("allocation", design_hash, study_key)
 
 
 def participant_seed(participant_key: str, slot: int, occupant: int) -> str:

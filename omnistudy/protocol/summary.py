@@ -48,8 +48,11 @@ def changes(protocol: Protocol, condition: str) -> tuple[Difference, ...]:
 
 
 def parts_of(protocol: Protocol) -> Iterator[tuple[str, BaseModel]]:
-    """Name every part of the set-up but the world, and after it those that replace it."""
-    for name in (*PARTS[1:], "recording", "order", "messages"):
+    """Name every order, every part of the set-up but the world, and after it what replaces it."""
+    for visit in protocol.course:
+        for place, block in enumerate(visit.blocks, start=1):
+            yield f"order of {visit.name}, block {place}", block.order
+    for name in (*PARTS[1:], "recording", "messages"):
         base = getattr(protocol, name)
         yield name, base
         for condition in protocol.conditions:
@@ -71,7 +74,7 @@ def _settings(part: BaseModel, prefix: str) -> Iterator[Setting]:
 
 def _text(value: object) -> str:
     if isinstance(value, tuple):
-        return ", ".join(_text(item) for item in value)
+        return ", ".join(_text(item) for item in value) or "-"
     if isinstance(value, float):
         return f"{value:.6g}"
     return "-" if value is None or value == "" else str(value)

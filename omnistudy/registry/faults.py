@@ -62,6 +62,8 @@ def _sentence(fault: ErrorDetails, place: _Place) -> str:
         return "is missing and has no default"
     if fault["type"].startswith("kind_"):
         return fault["msg"]
+    if fault["type"].startswith("union_tag_"):
+        return _untold_which(fault, place)
     given = _shortened(fault["input"])
     if fault["type"] in ("model_type", "dict_type"):
         return f"given {given}, but a mapping of keys is needed"
@@ -69,6 +71,17 @@ def _sentence(fault: ErrorDetails, place: _Place) -> str:
     unit = unit_of(place.field)
     in_unit = f" (in {unit})" if unit and f" in {unit}" not in reason else ""
     return f"given {given}, but {reason}{in_unit}"
+
+
+def _untold_which(fault: ErrorDetails, place: _Place) -> str:
+    """Say what a `kind` or a `shape` may be, where one is wrong or missing."""
+    key = fault["ctx"]["discriminator"].strip("'")
+    models = models_in(place.field.annotation if place.field else None)
+    allowed = list(dict.fromkeys(str(model.model_fields[key].default) for model in models))
+    if fault["type"] == "union_tag_not_found":
+        return f"'{key}' is missing: it is one of {', '.join(allowed)}"
+    tag = fault["ctx"]["tag"]
+    return f"unknown {key} '{tag}': it is one of {', '.join(allowed)}{nearest(tag, allowed)}"
 
 
 def _place(steps: Sequence[str | int], model: type[BaseModel], tree: Any) -> _Place:
@@ -88,7 +101,7 @@ def _place(steps: Sequence[str | int], model: type[BaseModel], tree: Any) -> _Pl
         if isinstance(step, str):
             around = models
             field = next((m.model_fields[step] for m in models if step in m.model_fields), None)
-            models = _selected(step, value) or _models_in(field.annotation if field else None)
+            models = _selected(step, value) or models_in(field.annotation if field else None)
     return _Place(".".join(path), around, field)
 
 
@@ -117,10 +130,11 @@ def _selected(key: str, value: Any) -> tuple[type[BaseModel], ...]:
         return ()
 
 
-def _models_in(annotation: Any) -> tuple[type[BaseModel], ...]:
+def models_in(annotation: Any) -> tuple[type[BaseModel], ...]:
+    """Give the models that a field's type names, inside unions and tuples too."""
     if isinstance(annotation, type) and issubclass(annotation, BaseModel):
         return (annotation,)
-    return tuple(model for part in get_args(annotation) for model in _models_in(part))
+    return tuple(model for part in get_args(annotation) for model in models_in(part))
 
 
 def _tag(model: type[BaseModel]) -> Any:

@@ -15,6 +15,13 @@ BUILT_IN: Mapping[str, Mapping[str, str]] = {
         "none": "omnistudy.laws.none:NoLaw",
         "component": "omnistudy.laws.component:ComponentLaw",
         "zero_torque": "omnistudy.laws.zero_torque:ZeroTorqueLaw",
+        "spring_damper": "omnistudy.laws.spring_damper:SpringDamperLaw",
+        "quadrant": "omnistudy.laws.quadrant:QuadrantLaw",
+        "quadrant_smoothed": "omnistudy.laws.quadrant_smoothed:QuadrantSmoothedLaw",
+        "infrared": "omnistudy.laws.infrared:InfraredLaw",
+        "impedance_urbano": "omnistudy.laws.impedance_urbano:ImpedanceUrbanoLaw",
+        "impedance_kondo": "omnistudy.laws.impedance_kondo:ImpedanceKondoLaw",
+        "sector_sum": "omnistudy.laws.sector_sum:SectorSumLaw",
     },
     "controllers": {
         "rate": "omnistudy.controllers.rate:RateController",
@@ -24,9 +31,16 @@ BUILT_IN: Mapping[str, Mapping[str, str]] = {
         "pi_wln": "omnistudy.controllers.pi_wln:PiWln",
         "sri_ene": "omnistudy.controllers.sri_ene:SriEne",
         "pi_ene": "omnistudy.controllers.pi_ene:PiEne",
+<<<<<<< HEAD
         "dual_qp": "omnistudy.controllers.dual_qp:DualQp",
+=======
+        "power_assist": "omnistudy.controllers.power_assist:PowerAssistController",
     },
-    "plants": {"youbot": "omnistudy.plants.youbot:Youbot"},
+    "plants": {
+        "youbot": "omnistudy.plants.youbot:Youbot",
+        "nexus": "omnistudy.plants.nexus:Nexus",
+>>>>>>> arm
+    },
     "devices": {
         "simulated_stick": "omnistudy.devices.simulated_stick:SimulatedStick",
         "direct": "omnistudy.devices.direct:DirectDevice",
@@ -42,7 +56,10 @@ BUILT_IN: Mapping[str, Mapping[str, str]] = {
     "worlds": {"plan": "omnistudy.worlds.world:World"},
     "orders": {
         "published_blocks": "omnistudy.protocol.ordering.published_blocks:PublishedBlocks",
-        "rotated": "omnistudy.protocol.ordering.rotated:Rotated",
+        "latin": "omnistudy.protocol.ordering.latin:Latin",
+        "williams": "omnistudy.protocol.ordering.williams:Williams",
+        "permuted_blocks": "omnistudy.protocol.ordering.permuted_blocks:PermutedBlocks",
+        "staircase": "omnistudy.protocol.ordering.staircase:Staircase",
     },
 }
 """Group -> kind -> "module:Class". Strings, so that asking for names imports nothing heavy."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, Self
 
-from pydantic import BaseModel, ConfigDict, PlainValidator
+from pydantic import BaseModel, ConfigDict, PlainValidator, model_validator
 from pydantic_core import PydanticCustomError
 
 from omnistudy.errors import UnknownKind, nearest
@@ -19,6 +19,22 @@ class Model(BaseModel):
         extra="forbid", frozen=True, use_attribute_docstrings=True, validate_default=True
     )
 
+    @model_validator(mode="before")
+    @classmethod
+    def _keep_what_is_left_out(cls, given: Any) -> Any:
+        """Lay a mapping over the default of its field, so that what it leaves out stays.
+
+        Without this `boundary: {layer_x: 0.2}` would put a law back to another robot's boundary
+        wherever the law's default is not the boundary's own.
+        """
+        if not isinstance(given, dict):
+            return given
+        fields = cls.model_fields
+        return {
+            name: _laid_over(fields[name].default, part) if name in fields else part
+            for name, part in given.items()
+        }
+
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
         """Give a copy with some fields changed; raises ValidationError.
 
@@ -27,6 +43,19 @@ class Model(BaseModel):
         source = super().model_copy(deep=deep)
         given = {name: getattr(source, name) for name in self.model_fields_set}
         return type(self).model_validate({**given, **(update or {})})
+
+
+def _laid_over(default: Any, given: Any) -> Any:
+    """Lay a mapping over what a default was made with; another kind replaces it whole."""
+    if not isinstance(given, dict) or not isinstance(default, Model):
+        return given
+    kind = getattr(default, "kind", None)
+    if given.get("kind", kind) != kind:
+        return given
+    made_with = {name: getattr(default, name) for name in default.model_fields_set}
+    if kind is not None:
+        made_with["kind"] = kind
+    return made_with | {name: _laid_over(made_with.get(name), part) for name, part in given.items()}
 
 
 class KindModel(Model):

@@ -11,38 +11,62 @@ from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails, PydanticUndefined
 
 from omnistudy.errors.parameters import BadParameter, NotASetting, UnknownParameter
+from omnistudy.registry.faults import Fault, faults, models_in
 from omnistudy.registry.field_unit import unit_of
 from omnistudy.registry.kinds import load_kind
+from omnistudy.registry.model import KindModel
 
 
 class Parameter(NamedTuple):
     """One number or word of a kind.
 
     name : dotted path, as `--set` takes it.
-    default : None when it must be given.
+    default : None too when it must be given.
     unit : "" for what has none.
     meaning : first sentence or sentences of its docstring.
+    required : whether it must be given.
     """
 
     name: str
     default: Any
     unit: str
     meaning: str
+    required: bool = False
 
 
 def parameters(kind_class: type[BaseModel]) -> tuple[Parameter, ...]:
-    """List the parameters of a kind, nested ones by dotted path, without `kind` itself."""
+    """List the parameters of a kind, nested ones by dotted path, without `kind` itself.
+
+    Where a field may hold one of several kinds, which one is a parameter too.
+    """
     return tuple(_parameters(kind_class, ""))
 
 
-def _parameters(model: type[BaseModel], prefix: str) -> Iterator[Parameter]:
+def _parameters(
+    model: type[BaseModel], prefix: str, made: BaseModel | None = None
+) -> Iterator[Parameter]:
+    """List a model's parameters with its own defaults, or with what one that is made holds."""
     for name, field in model.model_fields.items():
-        default = _default(field)
-        if isinstance(default, BaseModel):
-            yield from _parameters(type(default), f"{prefix}{name}.")
+        default = _default(field) if made is None else getattr(made, name)
+        if isinstance(default, KindModel) and len(models_in(field.annotation)) > 1:
+            yield from _alternatives(field, default, f"{prefix}{name}.")
+        elif isinstance(default, BaseModel):
+            yield from _parameters(type(default), f"{prefix}{name}.", default)
         elif name != "kind":
             meaning = " ".join((field.description or "").split())
-            yield Parameter(prefix + name, default, unit_of(field), meaning)
+            yield Parameter(prefix + name, default, unit_of(field), meaning, field.is_required())
+
+
+def _alternatives(field: FieldInfo, default: KindModel, prefix: str) -> Iterator[Parameter]:
+    """List which kind a field holds, and the parameters of the default's kind before others'."""
+    models = sorted(models_in(field.annotation), key=lambda model: not isinstance(default, model))
+    named = [str(model.model_fields["kind"].default) for model in models]
+    yield Parameter(f"{prefix}kind", default.kind, "", f"One of {', '.join(named)}.", False)
+    for name, model in zip(named, models, strict=True):
+        chosen = name == default.kind
+        for row in _parameters(model, prefix, default if chosen else None):
+            meaning = row.meaning if chosen else f"Of kind {name}. {row.meaning}"
+            yield row._replace(meaning=meaning, required=row.required and chosen)
 
 
 def _default(field: FieldInfo) -> Any:
@@ -56,16 +80,25 @@ def make_kind(group: str, kind: str, settings: Sequence[str] = ()) -> Any:
     Raises UnknownKind, NotASetting, UnknownParameter with the nearest name, and BadParameter.
     """
     chosen = load_kind(group, kind)
-    values: dict[str, Any] = {}
-    for setting in settings:
-        name, equals, text = setting.partition("=")
-        if not name or not equals:
-            raise NotASetting(setting)
-        _put(values, name.strip(), _parsed(text), chosen, kind)
+    values: dict[str, Any] = {"kind": kind}
+    for name, text in sorted(map(_split, settings), key=lambda setting: not _picks(setting[0])):
+        _put(values, name, _parsed(text), chosen, kind)
     try:
-        return chosen.model_validate({"kind": kind, **values})
+        return chosen.model_validate(values)
     except ValidationError as refused:
-        raise BadParameter(kind, [_fault(error) for error in refused.errors()]) from None
+        told = zip(refused.errors(), faults(refused, chosen, values), strict=True)
+        raise BadParameter(kind, [_sentence(*both) for both in told]) from None
+
+
+def _split(setting: str) -> tuple[str, str]:
+    name, equals, text = setting.partition("=")
+    if not name or not equals:
+        raise NotASetting(setting)
+    return name.strip(), text
+
+
+def _picks(name: str) -> bool:
+    return name.endswith(".kind")
 
 
 def _put(values: dict[str, Any], name: str, value: Any, model: type[BaseModel], kind: str) -> None:
@@ -79,6 +112,8 @@ def _put(values: dict[str, Any], name: str, value: Any, model: type[BaseModel], 
         default = _default(field)
         values = values.setdefault(parent, default.model_dump())
         model = type(default)
+    if _picks(name) and value != values["kind"]:
+        values.clear()
     values[last] = value
 
 
@@ -96,6 +131,7 @@ def _parsed(text: str) -> Any:
     return value
 
 
-def _fault(error: ErrorDetails) -> str:
-    name = ".".join(str(part) for part in error["loc"])
-    return f"{name} = {error['input']!r}: {error['msg'].removeprefix('Value error, ')}"
+def _sentence(error: ErrorDetails, fault: Fault) -> str:
+    if error["type"].startswith(("extra_forbidden", "union_tag_")):
+        return f"{fault.path}: {fault.sentence}"
+    return f"{fault.path} = {error['input']!r}: {error['msg'].removeprefix('Value error, ')}"

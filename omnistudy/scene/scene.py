@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
 from omnistudy.registry.model import Model
+from omnistudy.scene.motion import Motion, Track
 from omnistudy.units import Kilograms, Metres, NewtonMetres, Positive, Radians
 
 Role = Literal["wall", "target", "finish", "door", "floor"]
@@ -73,6 +75,10 @@ class Body(Model):
     hinge: Hinge | None = None
     mass: Annotated[Kilograms, Field(ge=0)] = 0.0
     """Zero stands still; a body with a hinge needs a mass."""
+    part_of: str = ""
+    """Of what it is a part that is touched as one, such as a map of many boxes."""
+    motion: Motion | None = None
+    """A scripted path; (x, y) is where it begins. Nothing stops or pushes such a body."""
 
     @model_validator(mode="after")
     def _hinged_weighs(self) -> Self:
@@ -80,10 +86,39 @@ class Body(Model):
             raise ValueError("a body with a hinge needs a mass above 0 kg")
         return self
 
+    @model_validator(mode="after")
+    def _moves_as_a_wall(self) -> Self:
+        if self.motion is None:
+            return self
+        if self.role != "wall" or not self.solid or self.hinge is not None:
+            raise ValueError("a body with a motion must be a solid wall without a hinge")
+        track = self.motion.track((self.x, self.y))
+        if all(place == track.places[0] for place in track.places):
+            raise ValueError("a motion must lead somewhere else than the body's own place")
+        if track.jumps:
+            raise ValueError(
+                "a timetable that repeats must end at the body's own place "
+                f"({self.x:g}, {self.y:g}): bodies do not jump"
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _part_stands(self) -> Self:
+        moves = self.hinge is not None or self.motion is not None
+        box = isinstance(self.geometry, Box)
+        if self.part_of and (moves or not box or self.role != "wall" or not self.solid):
+            raise ValueError("a part must be a box, a wall, solid, and stand still")
+        return self
+
     @property
     def blocks(self) -> bool:
-        """Whether a robot cannot pass where it stands: solid, and no door that gives way."""
-        return self.solid and self.hinge is None and self.role != "floor"
+        """Whether a robot can never pass where it stands: solid, no door, and not moving."""
+        return self.solid and self.hinge is None and self.motion is None and self.role != "floor"
+
+    @cached_property
+    def track(self) -> Track | None:
+        """Its scripted path laid out in time; None when it stays where it is."""
+        return self.motion.track((self.x, self.y)) if self.motion else None
 
 
 class Region(Model):
@@ -110,3 +145,8 @@ class Scene(Model):
 
     bodies: tuple[Body, ...]
     regions: tuple[Region, ...] = ()
+
+    @cached_property
+    def moving(self) -> tuple[Body, ...]:
+        """The bodies that follow a scripted path."""
+        return tuple(body for body in self.bodies if body.motion)

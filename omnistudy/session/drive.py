@@ -81,7 +81,7 @@ def drive_worlds(
 def _spec(world: World, law: str, seed: int, lab: Path | None) -> TrialSpec:
     return TrialSpec(
         world=world,
-        route=world.routes[0].name,
+        route=world.first_route.name,
         plant=part("plant", "youbot", lab),
         device=part("device", "simulated_stick", lab),
         controller=part("controller", "rate", lab),

@@ -93,7 +93,7 @@ def replay(
     recording = Recording(sample_hz=Recording().physics_hz)
     spec = TrialSpec(
         world=world,
-        route=world.routes[0].name,
+        route=world.first_route.name,
         plant=plant,
         device=part("device", "direct", lab),
         controller=chosen,

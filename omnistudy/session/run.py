@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from omnistudy.errors.session import HumanParticipants
@@ -13,6 +14,7 @@ from omnistudy.session.specs import trial_spec
 from omnistudy.session.workers import run_all
 from omnistudy.store import StoredTrial, StudyWriter, TrialOutcome
 from omnistudy.study.frozen import check_unchanged, frozen_protocol
+from omnistudy.study.order_check import ENDED, OrderCheck
 from omnistudy.trial import TrialResult, TrialSpec
 
 
@@ -41,7 +43,8 @@ def run_trials(
     protocol : when given, it must be the frozen one.
     finished : told of every trial that was written.
 
-    Raises ProtocolChanged, UnknownParticipant, HumanParticipants, and what the store raises.
+    Raises ProtocolChanged, OrderDiffers, UnknownParticipant, HumanParticipants, and what the store
+    raises.
     """
     with StudyWriter.open(path) as writer:
         study = writer.study
@@ -55,14 +58,47 @@ def run_trials(
         planned = [t for t in writer.planned_trials() if _wanted(t, participants)]
         chosen = planned if limit is None else planned[:limit]
         frozen = frozen_protocol(study)
+        order = OrderCheck(study.name, frozen, study.design_hash)
+        order.check(writer.trials())
         ended = {"completed": 0, "timed_out": 0, "aborted": 0}
-        specs = _started(writer, frozen, chosen)
-        for trial, result in zip(chosen, run_all(specs, workers), strict=True):
-            _write(writer, trial, result)
-            ended[result.status] += 1
-            finished(trial, result)
-        _close_sessions(writer, {trial.session_id for trial in chosen})
+        for wave in _waves(chosen):
+            ready = [_with_condition(writer, order, trial) for trial in wave]
+            specs = _started(writer, frozen, ready)
+            for trial, result in zip(ready, run_all(specs, workers), strict=True):
+                _write(writer, trial, result)
+                ended[result.status] += 1
+                finished(trial, result)
+            _close_sessions(writer, {trial.session_id for trial in wave})
         return RunSummary(**ended, remaining=len(writer.planned_trials()))
+
+
+def _waves(trials: Sequence[StoredTrial]) -> Iterator[list[StoredTrial]]:
+    """Give trials that may run at once, in order.
+
+    Where an order adapts that is one trial of each participant, since the next one depends on it.
+    """
+    if all(trial.condition is not None for trial in trials):
+        yield list(trials)
+        return
+    places: Counter[int] = Counter()
+    waves: dict[int, list[StoredTrial]] = {}
+    for trial in trials:
+        waves.setdefault(places[trial.participant_id], []).append(trial)
+        places[trial.participant_id] += 1
+    yield from waves.values()
+
+
+def _with_condition(writer: StudyWriter, order: OrderCheck, trial: StoredTrial) -> StoredTrial:
+    """Let an order that adapts choose a trial's condition from what its participant did so far."""
+    if trial.condition is not None:
+        return trial
+    own = writer.trials(trial.participant_code)
+    condition = order.chosen(trial, own)
+    before = (past for past in own if past.position < trial.position and past.status in ENDED)
+    same = [past for past in before if (past.condition, past.kind) == (condition, trial.kind)]
+    chosen = replace(trial, condition=condition, repetition=len(same) + 1)
+    writer.choose_condition(trial.id, condition, chosen.repetition)
+    return chosen
 
 
 def _wanted(trial: StoredTrial, participants: tuple[str, ...]) -> bool:
@@ -79,7 +115,7 @@ def _require_participants(
 
 
 def _started(
-    writer: StudyWriter, protocol: Protocol, trials: list[StoredTrial]
+    writer: StudyWriter, protocol: Protocol, trials: Sequence[StoredTrial]
 ) -> Iterator[TrialSpec]:
     """Mark each trial and its session as running when its spec is taken."""
     sessions: set[int] = set()
@@ -108,11 +144,13 @@ def _write(writer: StudyWriter, trial: StoredTrial, result: TrialResult) -> None
 
 
 def _close_sessions(writer: StudyWriter, sessions: set[int]) -> None:
-    """Complete the sessions that have nothing left to run, and their participants."""
+    """Complete the sessions that have nothing left to run, and whoever has no session left."""
     trials = writer.trials()
-    open_sessions = {trial.session_id for trial in trials if trial.status in ("planned", "running")}
-    done = {t.session_id: t for t in trials if t.session_id in sessions - open_sessions}
+    waiting = [trial for trial in trials if trial.status in ("planned", "running")]
+    done = sessions - {trial.session_id for trial in waiting}
+    came = {trial.participant_id for trial in trials if trial.session_id in done}
     with writer.transaction():
-        for session_id, trial in done.items():
+        for session_id in sorted(done):
             writer.set_session_status(session_id, "completed")
-            writer.set_participant_status(trial.participant_id, "completed")
+        for participant_id in sorted(came - {trial.participant_id for trial in waiting}):
+            writer.set_participant_status(participant_id, "completed")

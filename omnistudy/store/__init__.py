@@ -3,10 +3,12 @@
 from omnistudy.store.digest import sample_digest
 from omnistudy.store.records import (
     Level,
+    NewAllocation,
     NewCondition,
     NewParticipant,
     NewStudy,
     NewTrial,
+    ProtocolVersion,
     StoredTrial,
     StudyRecord,
     TrialOutcome,
@@ -17,10 +19,12 @@ from omnistudy.store.writer import StudyWriter
 
 __all__ = [
     "Level",
+    "NewAllocation",
     "NewCondition",
     "NewParticipant",
     "NewStudy",
     "NewTrial",
+    "ProtocolVersion",
     "StoredTrial",
     "StudyFile",
     "StudyRecord",

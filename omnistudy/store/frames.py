@@ -9,6 +9,7 @@ from sqlalchemy import Connection, Executable, select
 
 from omnistudy.channel import Channel
 from omnistudy.store.tables import (
+    AllocationRow,
     ConditionLevelRow,
     ConditionRow,
     EventRow,
@@ -83,6 +84,22 @@ def participants_frame(connection: Connection) -> DataFrame:
             ParticipantRow.status,
             ParticipantRow.seed,
         ).order_by(ParticipantRow.id),
+    )
+
+
+def allocations_frame(connection: Connection) -> DataFrame:
+    """One row a slot of the design."""
+    return query_frame(
+        connection,
+        select(
+            AllocationRow.slot,
+            AllocationRow.stratum,
+            AllocationRow.group_name.label("group"),
+            AllocationRow.row,
+            ParticipantRow.code.label("participant"),
+        )
+        .outerjoin(ParticipantRow, ParticipantRow.id == AllocationRow.participant_id)
+        .order_by(AllocationRow.slot),
     )
 
 

@@ -66,12 +66,36 @@ class NewParticipant:
     status: ParticipantStatus = "enrolled"
 
 
+class NewAllocation(NamedTuple):
+    """A slot of the design, see omnistudy.protocol.allocation.Allocation; nobody sits in it yet."""
+
+    slot: int
+    stratum: str
+    group: str
+    row: int
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ProtocolVersion:
+    """A protocol as it was frozen: the first (version 1), and every amendment with its reason."""
+
+    version: int
+    protocol_json: str
+    design_hash: str
+    site_hash: str
+    reason: str
+    frozen_at: datetime
+    omnistudy_version: str
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NewTrial:
     """A trial to be run: the place in its session, what is driven, and its seed (64 hex digits).
 
-    position : 1-based place in the session; a repeated trial keeps it and counts `attempt` up.
-    kind : what the trial is for, such as "training" or "main".
+    position : 1-based place in the participant's order, counted through all visits; a repeated
+        trial keeps it and counts `attempt` up.
+    kind : what the trial is for, such as "practice" or "main".
+    condition : None as long as an order that adapts has not chosen it.
     """
 
     session_id: int
@@ -89,7 +113,11 @@ class NewTrial:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StoredTrial(NewTrial):
-    """A trial as stored, with who drives it: all that a session needs to run it."""
+    """A trial as stored, with who drives it: all that a session needs to run it.
+
+    slot : 0-based, where the participant sits in the design.
+    duration_s, collisions : None until it is run.
+    """
 
     id: int
     status: TrialStatus
@@ -98,6 +126,9 @@ class StoredTrial(NewTrial):
     participant_code: str
     participant_kind: ParticipantKind
     participant_seed: str
+    slot: int
+    duration_s: float | None
+    collisions: int | None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

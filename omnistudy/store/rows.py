@@ -11,11 +11,13 @@ from sqlalchemy import Connection, CursorResult, insert, select
 
 from omnistudy.channel import SAMPLE_COLUMNS, Event, Stream
 from omnistudy.store.chunks import chunks_of, columns_text
-from omnistudy.store.records import StoredTrial, StudyRecord, TrialStatus
+from omnistudy.store.records import ProtocolVersion, StoredTrial, StudyRecord, TrialStatus
 from omnistudy.store.tables import (
+    AllocationRow,
     ChunkRow,
     EventRow,
     ParticipantRow,
+    ProtocolVersionRow,
     SampleRow,
     SessionRow,
     StreamRow,
@@ -103,9 +105,13 @@ def stored_trials(
             ParticipantRow.code.label("participant_code"),
             ParticipantRow.kind.label("participant_kind"),
             ParticipantRow.seed.label("participant_seed"),
+            AllocationRow.slot,
+            TrialRow.duration_s,
+            TrialRow.collisions,
         )
         .join(SessionRow, SessionRow.id == TrialRow.session_id)
         .join(ParticipantRow, ParticipantRow.id == SessionRow.participant_id)
+        .join(AllocationRow, AllocationRow.participant_id == ParticipantRow.id)
         .order_by(ParticipantRow.id, SessionRow.visit, TrialRow.position, TrialRow.attempt)
     )
     if status is not None:
@@ -130,4 +136,21 @@ def stored_study(connection: Connection) -> StudyRecord:
         site_hash=row.site_hash,
         created_at=row.created_at,
         omnistudy_version=row.omnistudy_version,
+    )
+
+
+def stored_versions(connection: Connection) -> tuple[ProtocolVersion, ...]:
+    """Give every version of the protocol, the first one first."""
+    rows = connection.execute(select(ProtocolVersionRow).order_by(ProtocolVersionRow.version))
+    return tuple(
+        ProtocolVersion(
+            version=row.version,
+            protocol_json=row.protocol,
+            design_hash=row.design_hash,
+            site_hash=row.site_hash,
+            reason=row.reason,
+            frozen_at=row.frozen_at,
+            omnistudy_version=row.omnistudy_version,
+        )
+        for row in rows
     )

@@ -16,8 +16,8 @@ from omnistudy.store import frames
 from omnistudy.store.chunks import Chunk, channels_from, real_values, unpack
 from omnistudy.store.connection import in_plain_words, reading_engine, remove_empty_log
 from omnistudy.store.file_check import check_file
-from omnistudy.store.records import StudyRecord
-from omnistudy.store.rows import stored_study
+from omnistudy.store.records import ProtocolVersion, StudyRecord
+from omnistudy.store.rows import stored_study, stored_versions
 from omnistudy.store.schema import check_revision
 from omnistudy.store.tables import (
     ChunkRow,
@@ -115,6 +115,16 @@ class StudyFile:
         """Give one row a condition, with a column a factor."""
         with self.reading() as connection:
             return frames.conditions_frame(connection)
+
+    def allocations(self) -> DataFrame:
+        """Give one row a slot of the design, drawn at the first freeze, with who sits in it."""
+        with self.reading() as connection:
+            return frames.allocations_frame(connection)
+
+    def protocol_versions(self) -> tuple[ProtocolVersion, ...]:
+        """Give every version of the protocol, the first one first."""
+        with self.reading() as connection:
+            return stored_versions(connection)
 
     def events(self, trial: int | None = None) -> DataFrame:
         """Give one row an event, of one trial (raises NoSuchTrial) or of all."""

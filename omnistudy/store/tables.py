@@ -99,6 +99,42 @@ class ParticipantRow(Base):
     seed: Mapped[str] = mapped_column(String(64))
 
 
+class AllocationRow(Base):
+    """A slot of the design, drawn at the first freeze; whoever takes part sits in one."""
+
+    __tablename__ = "allocation"
+    __table_args__ = (
+        UniqueConstraint("stratum", "group_name", "row"),
+        _at_least("slot", 0),
+        _at_least("row", 0),
+    )
+
+    slot: Mapped[int] = mapped_column(primary_key=True)
+    stratum: Mapped[str]
+    group_name: Mapped[str]
+    row: Mapped[int]
+    participant_id: Mapped[int | None] = mapped_column(ForeignKey("participant.id"))
+
+
+class ProtocolVersionRow(Base):
+    """A protocol as it was frozen: the first, and every amendment with its reason."""
+
+    __tablename__ = "protocol_version"
+    __table_args__ = (
+        _sha256("design_hash"),
+        _sha256("site_hash"),
+        _at_least("version", 1),
+    )
+
+    version: Mapped[int] = mapped_column(primary_key=True)
+    protocol: Mapped[str]
+    design_hash: Mapped[str] = mapped_column(String(64))
+    site_hash: Mapped[str] = mapped_column(String(64))
+    reason: Mapped[str]
+    frozen_at: Mapped[datetime]
+    omnistudy_version: Mapped[str]
+
+
 class SessionRow(Base):
     """One visit of a participant."""
 

@@ -7,10 +7,12 @@ from pathlib import Path
 
 from omnistudy.errors.store import StudyExists
 from omnistudy.errors.study import BadStudyName
-from omnistudy.protocol import FrozenProtocol, Protocol, freeze, plan
+from omnistudy.protocol import FrozenProtocol, Protocol, StudyPlan, freeze
+from omnistudy.protocol.allocation import Allocation
 from omnistudy.protocol.seeds import participant_seed, trial_seed
 from omnistudy.store import (
     Level,
+    NewAllocation,
     NewCondition,
     NewParticipant,
     NewStudy,
@@ -41,11 +43,13 @@ def create_study(protocol: Protocol, path: Path, name: str) -> StudyRecord:
         design_hash=frozen.design_hash,
         site_hash=frozen.site_hash,
     )
+    plan = StudyPlan(protocol, frozen.design_hash)
     with StudyWriter.create(path, study) as writer:
-        writer.add_conditions(_conditions(protocol))
+        writer.add_conditions(new_conditions(protocol))
+        writer.add_allocations(NewAllocation(*slot) for slot in plan.allocations)
         if protocol.participants.kind == "virtual":
-            for slot in range(protocol.participants.count):
-                _enrol(writer, protocol, frozen, slot)
+            for allocation in plan.allocations:
+                _enrol(writer, protocol, frozen, plan, allocation)
     with open_study(path) as created:
         return created.study
 
@@ -58,7 +62,8 @@ def refuse_taken(path: Path, name: str) -> None:
         raise StudyExists(path)
 
 
-def _conditions(protocol: Protocol) -> tuple[NewCondition, ...]:
+def new_conditions(protocol: Protocol) -> tuple[NewCondition, ...]:
+    """Give the conditions as the store wants them."""
     return tuple(
         NewCondition(
             name=condition.name,
@@ -69,19 +74,30 @@ def _conditions(protocol: Protocol) -> tuple[NewCondition, ...]:
     )
 
 
-def _enrol(writer: StudyWriter, protocol: Protocol, frozen: FrozenProtocol, slot: int) -> None:
-    """Write a virtual participant with one visit and every trial of the slot's order."""
-    people = protocol.participants
+def _enrol(
+    writer: StudyWriter,
+    protocol: Protocol,
+    frozen: FrozenProtocol,
+    plan: StudyPlan,
+    allocation: Allocation,
+) -> None:
+    """Write a virtual participant with every visit and every trial of the slot's order."""
+    people, slot = protocol.participants, allocation.slot
     participant = writer.add_participant(
         NewParticipant(
             code=f"P{slot + 1:02d}",
             kind="virtual",
-            sequence=str(slot),
+            group_name=allocation.group or None,
+            sequence=str(allocation.row),
             seed=participant_seed(people.participant_key, slot, FIRST_OCCUPANT),
-        )
+        ),
+        slot,
     )
-    session = writer.add_session(participant, visit=1)
-    for trial in plan(protocol, slot):
+    sessions = {
+        visit: writer.add_session(participant, visit)
+        for visit in range(1, len(protocol.course) + 1)
+    }
+    for trial in plan.trials(slot):
         seed = trial_seed(
             frozen.design_hash,
             people.study_key,
@@ -92,15 +108,20 @@ def _enrol(writer: StudyWriter, protocol: Protocol, frozen: FrozenProtocol, slot
         )
         writer.add_trial(
             NewTrial(
-                session_id=session,
+                session_id=sessions[trial.visit],
                 position=trial.position,
                 attempt=FIRST_ATTEMPT,
                 kind=trial.kind,
                 condition=trial.condition,
                 repetition=trial.repetition,
-                task=protocol.setup_for(trial.condition).task.kind,
+                task=_task(protocol, trial.condition),
                 route=trial.route,
                 seed=seed,
                 protocol_version=FIRST_VERSION,
             )
         )
+
+
+def _task(protocol: Protocol, condition: str | None) -> str:
+    setup = protocol if condition is None else protocol.setup_for(condition)
+    return setup.task.kind

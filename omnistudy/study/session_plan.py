@@ -9,7 +9,10 @@ from omnistudy.protocol.schedule import expected_duration
 from omnistudy.store import StudyFile
 from omnistudy.study.frozen import frozen_protocol
 
-STORED = ("trial", "visit", "position", "attempt", "condition", "repetition", "route", "status")
+STORED = (
+    *("trial", "visit", "position", "attempt", "kind", "condition", "repetition", "route"),
+    "status",
+)
 """Columns of the study's trials that a plan shows."""
 
 
@@ -18,6 +21,7 @@ class SessionTrial:
     """One trial of a participant's plan.
 
     trial : its number in the study.
+    condition : None as long as an order that adapts has not chosen it.
     start_s, duration_s : expected, s from the opening of the session.
     """
 
@@ -25,7 +29,8 @@ class SessionTrial:
     visit: int
     position: int
     attempt: int
-    condition: str
+    kind: str
+    condition: str | None
     repetition: int
     route: str
     status: str

@@ -18,7 +18,7 @@ from omnistudy.trial.recorder import Recorder
 from omnistudy.trial.result import TrialResult
 from omnistudy.trial.sources import HandSource, RecordSource, Source
 from omnistudy.trial.spec import TrialSpec
-from omnistudy.worlds import Situation
+from omnistudy.worlds import Situation, passing
 
 STILL = PlanarTwist(0.0, 0.0, 0.0)
 
@@ -51,6 +51,7 @@ class _Loop:
         self._spec = spec
         self._source = source
         self._plant = plant
+        self._moving = spec.world.scene.moving
         self._task = spec.task.begin(spec.world, spec.route, spec.messages)
         self._collisions = CollisionCounter(spec.recording.physics_hz)
         self._recorder = Recorder(spec.recording, source.axes, source.channels, plant.channels)
@@ -109,6 +110,8 @@ class _Loop:
 
     def _step(self, step: int, dt: float, situation: Situation) -> None:
         plant = self._plant
+        if self._moving:
+            situation = situation._replace(passing=passing(self._moving, step * dt))
         self._device = device = self._source.next(step, step * dt, plant.state, situation)
         self._recorder.consumed(device)
         self._control = control = self._spec.controller.control(

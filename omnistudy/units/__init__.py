@@ -7,8 +7,10 @@ protocol would be a second way to write the same thing.
 from omnistudy.units.quantity import (
     Hertz,
     Kilograms,
+    KilogramSquareMetres,
     Metres,
     MetresPerSecond,
+    MetresPerSecondPerNewton,
     NewtonMetres,
     NewtonMetreSeconds,
     NewtonMetresPerRadian,
@@ -18,6 +20,7 @@ from omnistudy.units.quantity import (
     Positive,
     Radians,
     RadiansPerSecond,
+    RadiansPerSecondPerNewtonMetre,
     Ratio,
     Seconds,
     TorqueStiffness,
@@ -25,9 +28,11 @@ from omnistudy.units.quantity import (
 
 __all__ = [
     "Hertz",
+    "KilogramSquareMetres",
     "Kilograms",
     "Metres",
     "MetresPerSecond",
+    "MetresPerSecondPerNewton",
     "NewtonMetreSeconds",
     "NewtonMetres",
     "NewtonMetresPerRadian",
@@ -37,6 +42,7 @@ __all__ = [
     "Positive",
     "Radians",
     "RadiansPerSecond",
+    "RadiansPerSecondPerNewtonMetre",
     "Ratio",
     "Seconds",
     "TorqueStiffness",

@@ -29,6 +29,9 @@ Radians = Annotated[float, _plain_number("rad"), AllowInfNan(False), _schema("ra
 Seconds = Annotated[float, _plain_number("s"), AllowInfNan(False), _schema("s")]
 Hertz = Annotated[float, _plain_number("Hz"), AllowInfNan(False), _schema("Hz")]
 Kilograms = Annotated[float, _plain_number("kg"), AllowInfNan(False), _schema("kg")]
+KilogramSquareMetres = Annotated[
+    float, _plain_number("kg·m²"), AllowInfNan(False), _schema("kg·m²")
+]
 Newtons = Annotated[float, _plain_number("N"), AllowInfNan(False), _schema("N")]
 NewtonMetres = Annotated[float, _plain_number("N·m"), AllowInfNan(False), _schema("N·m")]
 MetresPerSecond = Annotated[float, _plain_number("m/s"), AllowInfNan(False), _schema("m/s")]
@@ -39,6 +42,12 @@ NewtonSecondsPerMetre = Annotated[
 ]
 NewtonMetresPerRadian = Annotated[
     float, _plain_number("N·m/rad"), AllowInfNan(False), _schema("N·m/rad")
+]
+MetresPerSecondPerNewton = Annotated[
+    float, _plain_number("(m/s)/N"), AllowInfNan(False), _schema("(m/s)/N")
+]
+RadiansPerSecondPerNewtonMetre = Annotated[
+    float, _plain_number("(rad/s)/(N·m)"), AllowInfNan(False), _schema("(rad/s)/(N·m)")
 ]
 NewtonMetreSeconds = Annotated[float, _plain_number("N·m·s"), AllowInfNan(False), _schema("N·m·s")]
 TorqueStiffness = Annotated[float, _plain_number("N·m/m²"), AllowInfNan(False), _schema("N·m/m²")]

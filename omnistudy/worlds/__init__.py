@@ -2,12 +2,13 @@
 
 from omnistudy.worlds.find import load_world, world_file, world_names
 from omnistudy.worlds.route import Leg, Route
-from omnistudy.worlds.situation import Situation
+from omnistudy.worlds.situation import Passing, Situation, passing
 from omnistudy.worlds.walls import Wall, Walls
 from omnistudy.worlds.world import Start, World
 
 __all__ = [
     "Leg",
+    "Passing",
     "Route",
     "Situation",
     "Start",
@@ -15,6 +16,7 @@ __all__ = [
     "Walls",
     "World",
     "load_world",
+    "passing",
     "world_file",
     "world_names",
 ]

@@ -9,7 +9,9 @@ from math import dist, inf, sqrt
 import numpy as np
 
 from omnistudy.errors import nearest
+from omnistudy.errors.worlds import NoRoute
 from omnistudy.scene import Body
+from omnistudy.worlds.moving import Sweep, closures, crossings, in_reach, sweeps, through_walls
 from omnistudy.worlds.obstacles import Obstacles, Points, obstacles
 from omnistudy.worlds.route import Leg, Point, Route
 from omnistudy.worlds.way import heading_changes, joined, narrowest, sampled, steps
@@ -50,7 +52,10 @@ class RouteCheck:
 
 @dataclass(frozen=True, slots=True)
 class WorldCheck:
-    """A world against a robot's size; a fault makes it undrivable, a warning does not."""
+    """A world against a robot's size; a fault makes it undrivable, a warning does not.
+
+    notes : what moving bodies do to the routes for a time.
+    """
 
     world: str
     plant_width: float
@@ -58,6 +63,7 @@ class WorldCheck:
     routes: tuple[RouteCheck, ...]
     faults: tuple[str, ...]
     warnings: tuple[str, ...]
+    notes: tuple[str, ...]
 
 
 def check_world(world: World, plant_width: float, plant_circumradius: float) -> WorldCheck:
@@ -65,14 +71,20 @@ def check_world(world: World, plant_width: float, plant_circumradius: float) -> 
 
     plant_width : m across its way. plant_circumradius : m, of the circle swept by a turn.
     """
-    walls = obstacles(world.scene.bodies)
-    faults = [*_start_faults(world, walls, plant_width, plant_circumradius)]
-    warnings = [*_length_warnings(world)]
+    walls, swept = obstacles(world.scene.bodies), sweeps(world)
+    footprint = _footprint(world, plant_width, plant_circumradius)
+    faults = [*_start_faults(world, walls, swept, footprint)]
+    warnings = [*_length_warnings(world), *through_walls(swept, walls)]
+    notes: list[str] = []
+    if not world.routes:
+        faults.append(str(NoRoute(world.name)))
     for route in world.routes:
         faults += _target_faults(route, world.scene.bodies)
         faults += _joint_faults(route, world)
         faults += _wall_faults(route, walls, plant_width)
+        faults += closures(route, swept, plant_width)
         warnings += _room_warnings(route, walls, plant_circumradius)
+        notes += crossings(route, swept, plant_width)
     return WorldCheck(
         world.name,
         plant_width,
@@ -80,23 +92,42 @@ def check_world(world: World, plant_width: float, plant_circumradius: float) -> 
         tuple(_measured(route, walls) for route in world.routes),
         tuple(faults),
         tuple(warnings),
+        tuple(notes),
     )
 
 
-def _start_faults(
-    world: World, walls: Obstacles, width: float, circumradius: float
-) -> Iterator[str]:
+@dataclass(frozen=True, slots=True, eq=False)
+class _Footprint:
+    """The robot at the start: length and width in m, points (n, 2) all over it."""
+
+    length: float
+    width: float
+    points: Points
+
+
+def _footprint(world: World, width: float, circumradius: float) -> _Footprint:
     half_width = width / 2
     half_length = sqrt(max(circumradius**2 - half_width**2, 0.0))
     grid = np.meshgrid(steps(-half_length, half_length), steps(-half_width, half_width))
-    footprint = np.stack([axis.ravel() for axis in grid], axis=1)
-    points = np.array([world.start.pose.to_world(x, y) for x, y in footprint.tolist()])
+    inside = np.stack([axis.ravel() for axis in grid], axis=1)
+    points = np.array([world.start.pose.to_world(x, y) for x, y in inside.tolist()])
+    return _Footprint(2 * half_length, width, points)
+
+
+def _start_faults(
+    world: World, walls: Obstacles, swept: tuple[Sweep, ...], footprint: _Footprint
+) -> Iterator[str]:
     start = _at(world.start.x, world.start.y)
-    for index in np.flatnonzero((walls.distances(points) <= 0.0).any(axis=0)):
+    near = walls.near(footprint.points, 0.0)
+    inside = np.flatnonzero((near.distances(footprint.points) <= 0.0).any(axis=0))
+    for name in dict.fromkeys(near.names[index] for index in inside):
         yield (
-            f"the robot starts in wall '{walls.names[index]}': start {start} "
-            f"leaves no room for {2 * half_length:.2f} x {width:.2f} m"
+            f"the robot starts in wall '{name}': start {start} "
+            f"leaves no room for {footprint.length:.2f} x {footprint.width:.2f} m"
         )
+    for sweep in swept:
+        if in_reach(sweep, footprint.points, 0.0).any():
+            yield f"the robot starts at {start}, where '{sweep.body.name}' comes past"
 
 
 def _target_faults(route: Route, bodies: tuple[Body, ...]) -> Iterator[str]:
@@ -133,12 +164,14 @@ def _wall_faults(route: Route, walls: Obstacles, width: float) -> Iterator[str]:
     told: set[str] = set()
     for leg in route.legs:
         points = sampled(leg)
-        distances = walls.distances(points)
-        for index in np.flatnonzero((distances < width / 2).any(axis=0)):
-            name = walls.names[index]
+        near = walls.near(points, width / 2)
+        distances = near.distances(points)
+        touched = np.flatnonzero((distances < width / 2).any(axis=0))
+        for name in dict.fromkeys(near.names[index] for index in touched):
             if name not in told:
                 told.add(name)
-                yield _wall_fault(route, leg, name, distances[:, index], points, width)
+                own = [index for index in touched if near.names[index] == name]
+                yield _wall_fault(route, leg, name, distances[:, own].min(axis=1), points, width)
 
 
 def _wall_fault(
@@ -166,6 +199,8 @@ def _room_warnings(route: Route, walls: Obstacles, circumradius: float) -> Itera
 
 
 def _length_warnings(world: World) -> Iterator[str]:
+    if not world.routes:
+        return
     shortest = min(world.routes, key=lambda route: route.length)
     longest = max(world.routes, key=lambda route: route.length)
     if longest.length > shortest.length * (1 + EQUAL):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
-from math import floor, log10, pi
+from math import ceil, floor, log10, pi
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -24,6 +24,9 @@ INK = "#2b2f36"
 WALL = "#4a505a"
 ROUTES = ("#7a3e9d", "#e07b00", "#12807a", "#b0305c", "#4b6cb7", "#6b7a12")
 """Colours of the routes in their order."""
+
+MOVING = "#c2410c"
+"""Of bodies that move, and of their paths."""
 
 TINTS = {"blue": "#d8e6fb", "green": "#d9f0de"}
 """Tint of the regions of a group; other groups are grey."""
@@ -45,16 +48,19 @@ def draw_plan(
     routes: bool = True,
     labels: bool = True,
     footprint: tuple[float, float] = FOOTPRINT,
+    grid: bool = False,
 ) -> None:
     """Draw a world seen from above, one unit a metre, with a scale and no frame.
 
     routes : False leaves the ways out, for driven paths to be drawn over the plan.
     labels : False leaves the names of regions out, where there is no room beside the plan.
     footprint : length and width in m of the robot at the start.
+    grid : True draws lines of round coordinates in m, from which a way can be read.
     """
     _draw_regions(world, axes, labels)
     _draw_bodies(world.scene.bodies, axes)
-    if routes:
+    _draw_paths(world.scene.moving, axes)
+    if routes and world.routes:
         _draw_routes(world, axes)
     _draw_start(world.start.pose, footprint, axes)
     low, high = extent(world)
@@ -63,6 +69,8 @@ def draw_plan(
     axes.set_xlim(low[0] - aside, high[0] + aside)
     axes.set_ylim(low[1] - 2 * MARGIN, high[1] + MARGIN)
     axes.set_axis_off()
+    if grid:
+        _draw_grid(low, high, axes)
     _draw_scale(low, high, axes)
 
 
@@ -71,6 +79,7 @@ def extent(world: World) -> tuple[Points, Points]:
     outlines = [plan_outline(body) for body in world.scene.bodies]
     outlines += [np.array(region.polygon) for region in world.regions]
     outlines += [np.array(leg.path) for route in world.routes for leg in route.legs]
+    outlines += [np.array(body.track.places) for body in world.scene.moving if body.track]
     corners = np.vstack((*outlines, (world.start.x, world.start.y)))
     return corners.min(axis=0), corners.max(axis=0)
 
@@ -112,7 +121,7 @@ def _draw_regions(world: World, axes: Axes, labels: bool) -> None:
 def _draw_bodies(bodies: Sequence[Body], axes: Axes) -> None:
     from matplotlib.collections import PolyCollection
 
-    walls = [plan_outline(body) for body in bodies if body.role == "wall"]
+    walls = [plan_outline(body) for body in bodies if body.role == "wall" and not body.motion]
     axes.add_collection(
         PolyCollection(walls, facecolor=WALL, edgecolor=WALL, linewidth=0.3, zorder=3)
     )
@@ -121,6 +130,21 @@ def _draw_bodies(bodies: Sequence[Body], axes: Axes) -> None:
             _draw_block(body, axes)
         elif body.role == "door":
             _draw_door(body, axes)
+
+
+def _draw_paths(bodies: Sequence[Body], axes: Axes) -> None:
+    """Draw moving bodies where they are when a trial opens, and the paths of their centres."""
+    for body in bodies:
+        if (track := body.track) is None:
+            continue
+        path = np.array(track.places)
+        axes.plot(*path.T, color=MOVING, linewidth=1.0, linestyle=(0, (1, 1.5)), zorder=4)
+        axes.plot(*path.T, linestyle="none", marker="o", markersize=2.5, color=MOVING, zorder=4)
+        x, y, _, _ = track.at(0.0)
+        outline = plan_outline(body) + np.array((x - body.x, y - body.y))
+        axes.add_patch(
+            _polygon(outline, facecolor=MOVING, edgecolor="white", linewidth=0.8, zorder=5)
+        )
 
 
 def _draw_block(body: Body, axes: Axes) -> None:
@@ -202,6 +226,20 @@ def _draw_scale(low: Points, high: Points, axes: Axes) -> None:
     axes.text(
         x + length / 2, y - 0.05, f"{length:g} m", ha="center", va="top", fontsize=8, color=INK
     )
+
+
+def _draw_grid(low: Points, high: Points, axes: Axes) -> None:
+    step = max(_round_length(float(max(high - low)) / 8), 0.1)
+    ranges = [
+        np.arange(ceil(a / step), b / step + 1e-9) * step for a, b in zip(low, high, strict=True)
+    ]
+    style: dict[str, Any] = {"color": INK, "alpha": 0.25, "linewidth": 0.5, "zorder": 2}
+    for x in ranges[0]:
+        axes.plot((x, x), (low[1], high[1]), **style)
+        axes.text(x, high[1] + 0.05, f"{x:g}", ha="center", va="bottom", fontsize=7, color=INK)
+    for y in ranges[1]:
+        axes.plot((low[0], high[0]), (y, y), **style)
+        axes.text(low[0] - 0.05, y, f"{y:g}", ha="right", va="center", fontsize=7, color=INK)
 
 
 def _round_length(length: float) -> float:

@@ -35,14 +35,15 @@ class LabelPlace(NamedTuple):
 def label_place(region: Region, world: World) -> LabelPlace:
     """Give the place beside the region's longest edge that is clear of all else."""
     walls = obstacles(world.scene.bodies)
-    ways = np.concatenate([sampled(leg) for route in world.routes for leg in route.legs])
+    legs = [sampled(leg) for route in world.routes for leg in route.legs]
+    ways = np.concatenate((np.empty((0, 2)), *legs))
     best, best_score = LabelPlace(region.polygon[0], "center", "center"), (-inf, -inf)
     for start, end in pairwise((*region.polygon, region.polygon[0])):
         x, y = _outward(region, start, end)
         middle = np.array([_beside(start, end, (x, y), GAP + HALF_TEXT * (abs(x) or 0.4))])
         free = min(
             float(walls.distances(middle).min(initial=inf)),
-            float(np.hypot(*(ways - middle).T).min()),
+            float(np.hypot(*(ways - middle).T).min(initial=inf)),
         )
         score = (min(free, ENOUGH), dist(start, end))
         if score > best_score:

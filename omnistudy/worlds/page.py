@@ -20,6 +20,8 @@ def write_world(world: World, file: Path, *, replace: bool = False) -> None:
     tree = {"kind": world.kind} | world.model_dump(mode="json", exclude_defaults=True)
     for body in tree.get("bodies", ()):
         body["geometry"] = {"shape": _shape(body["geometry"]), **body["geometry"]}
+        if "motion" in body:
+            body["motion"] = {"kind": _motion(body["motion"]), **body["motion"]}
     text = yaml.safe_dump(tree, sort_keys=False, allow_unicode=True, default_flow_style=None)
     draft = file.with_name(f".{file.name}.part")
     try:
@@ -27,6 +29,10 @@ def write_world(world: World, file: Path, *, replace: bool = False) -> None:
         draft.replace(file)
     except OSError as refused:
         raise WorldNotWritten(file, refused.strerror or str(refused)) from refused
+
+
+def _motion(motion: dict[str, object]) -> str:
+    return "timetable" if "stops" in motion else "patrol"
 
 
 def _shape(geometry: dict[str, float]) -> str:

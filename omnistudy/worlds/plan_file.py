@@ -12,8 +12,10 @@ LONGEST_SIDE = 9.0
 """Of the picture, in inches."""
 
 
-def write_plan(world: World, path: Path, *, replace: bool = False) -> None:
+def write_plan(world: World, path: Path, *, replace: bool = False, grid: bool = False) -> None:
     """Draw a world's plan into an .svg or .png file.
+
+    grid : with lines of round coordinates.
 
     Raises UnknownPictureFormat, PictureExists unless `replace`, or PictureNotWritten.
     """
@@ -24,5 +26,5 @@ def write_plan(world: World, path: Path, *, replace: bool = False) -> None:
         figure.set_layout_engine("none")
         figure.set_size_inches(max(width * scale, 5.0), height * scale + 0.8)
         axes = figure.add_axes((0.02, 0.06, 0.96, 0.86))
-        draw_plan(world, axes)
+        draw_plan(world, axes, grid=grid)
         axes.set_title(world.title or world.name, fontsize=12, color="#2b2f36")

@@ -1,24 +1,26 @@
-"""Worlds of Gazebo (SDF): boxes, cylinders and planes, with a start, a goal and a way."""
+"""Worlds of Gazebo (SDF): boxes, cylinders, planes and actors, with a start, goal and way."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from math import isfinite, radians
+from math import radians
 from pathlib import Path
 from typing import NamedTuple
 from xml.etree import ElementTree
 
 from pydantic import ValidationError
 
-from omnistudy.errors.worlds import BrokenSdf, NoWay
+from omnistudy.errors.worlds import BrokenSdf
 from omnistudy.geometry import PlanarPose
 from omnistudy.scene import Body, Box, Cylinder
-from omnistudy.worlds.route import Leg, Point, Route
+from omnistudy.worlds.goal import goal_block, way_to
+from omnistudy.worlds.route import Point
+from omnistudy.worlds.sdf_actor import actors
+from omnistudy.worlds.sdf_numbers import numbers
 from omnistudy.worlds.world import Start, World
 
 TILT = 1e-3
 """rad of roll or pitch up to which a body counts as upright."""
-GOAL = Box(x=0.15, y=0.15, z=0.1)
 
 
 class Imported(NamedTuple):
@@ -47,44 +49,26 @@ def import_sdf(
     path : points in m between start and goal; none is a straight way. The `<state>` of a saved
     world is left alone. Raises BrokenSdf, which says what is wrong where, or NoWay.
     """
-    way = _way(start, path, goal)
+    route = way_to(start, path, goal)
     world = _world(file)
     left_out = _included(world)
     bodies = [
         body for model in world.findall("model") for body in _model(file, model, FLOOR, left_out)
     ]
-    finish = Body(
-        name="goal",
-        role="finish",
-        geometry=GOAL,
-        x=goal[0],
-        y=goal[1],
-        z=GOAL.z / 2,
-        colour="#2f6fd0",
-        solid=False,
-    )
+    bodies += actors(file, world, left_out)
     title = f"{name or file.stem}, imported from {file.name}"
     try:
         made = World(
             name=name or file.stem,
             title=title,
             start=Start(x=start.x, y=start.y, theta=start.theta),
-            bodies=(*bodies, finish),
-            routes=(Route(name="reference", legs=(Leg(target="goal", path=way),)),),
+            bodies=(*bodies, goal_block(goal)),
+            routes=(route,),
         )
     except ValidationError as fault:
         message = str(fault.errors()[0]["msg"]).removeprefix("Value error, ")
         raise BrokenSdf(file, message) from fault
     return Imported(made, tuple(left_out))
-
-
-def _way(start: PlanarPose, path: Sequence[Point], goal: Point) -> tuple[Point, ...]:
-    """Join start, path and goal, points that repeat left out; raises NoWay."""
-    points = [(start.x, start.y), *path, goal]
-    way = [point for i, point in enumerate(points) if i == 0 or point != points[i - 1]]
-    if len(way) < 2 or not all(isfinite(number) for number in (*start, *goal)):
-        raise NoWay(start, goal)
-    return tuple(way)
 
 
 def _world(file: Path) -> ElementTree.Element:
@@ -144,7 +128,7 @@ def _is_floor(file: Path, name: str, shape: ElementTree.Element) -> bool:
     if shape.tag != "plane":
         return False
     text = shape.findtext("normal", "0 0 1")
-    x, y, z = _numbers(file, f"the plane of model '{name}'", text, 3)
+    x, y, z = numbers(file, f"the plane of model '{name}'", text, 3)
     return z > 0.0 and max(abs(x), abs(y)) <= TILT * z
 
 
@@ -160,7 +144,7 @@ def _placed(file: Path, name: str, element: ElementTree.Element, parent: Placed)
     text = pose.text or ""
     if not text.strip():
         return parent
-    x, y, z, *turns = _numbers(file, f"the pose of model '{name}'", text, 6)
+    x, y, z, *turns = numbers(file, f"the pose of model '{name}'", text, 6)
     if pose.get("degrees") in ("true", "1"):
         turns = [radians(turn) for turn in turns]
     roll, pitch, yaw = turns
@@ -175,25 +159,12 @@ def _geometry(file: Path, name: str, shape: ElementTree.Element) -> Box | Cylind
         return None
     try:
         if shape.tag == "box":
-            x, y, z = _numbers(file, f"the box of model '{name}'", shape.findtext("size", ""), 3)
+            x, y, z = numbers(file, f"the box of model '{name}'", shape.findtext("size", ""), 3)
             return Box(x=x, y=y, z=z)
         radius, length = (
-            _numbers(file, f"the {part} of model '{name}'", shape.findtext(part, ""), 1)[0]
+            numbers(file, f"the {part} of model '{name}'", shape.findtext(part, ""), 1)[0]
             for part in ("radius", "length")
         )
         return Cylinder(radius=radius, length=length)
     except ValidationError:
         raise BrokenSdf(file, f"the {shape.tag} of model '{name}' has no size") from None
-
-
-def _numbers(file: Path, what: str, text: str, count: int) -> list[float]:
-    parts = text.split()
-    try:
-        numbers = [float(part) for part in parts]
-    except ValueError:
-        raise BrokenSdf(file, f"{what} is '{text.strip()}', not numbers") from None
-    if not all(isfinite(number) for number in numbers):
-        raise BrokenSdf(file, f"{what} is '{text.strip()}', not finite numbers")
-    if len(numbers) != count:
-        raise BrokenSdf(file, f"{what} is '{text.strip()}', where {count} numbers are needed")
-    return numbers

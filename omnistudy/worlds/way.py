@@ -27,18 +27,18 @@ def narrowest(leg: Leg, walls: Obstacles) -> tuple[float, Point]:
     """
     best = (inf, leg.path[0])
     for start, end in _segments(leg.path):
-        points = _between(start, end)
         way = np.subtract(end, start) / dist(start, end)
-        vectors, distances = walls.towards(points)
-        ahead = np.abs(vectors @ way)
-        aside = vectors @ np.array((-way[1], way[0]))
-        left = np.where(aside >= ahead, distances, inf).min(axis=1, initial=inf)
-        right = np.where(-aside >= ahead, distances, inf).min(axis=1, initial=inf)
-        widths = np.maximum(left, 0.0) + np.maximum(right, 0.0)
-        index = int(widths.argmin())
-        if widths[index] < best[0]:
-            x, y = points[index].tolist()
-            best = (float(widths[index]), (x, y))
+        for points in walls.pieces(_between(start, end)):
+            vectors, distances = walls.towards(points)
+            ahead = np.abs(vectors @ way)
+            aside = vectors @ np.array((-way[1], way[0]))
+            left = np.where(aside >= ahead, distances, inf).min(axis=1, initial=inf)
+            right = np.where(-aside >= ahead, distances, inf).min(axis=1, initial=inf)
+            widths = np.maximum(left, 0.0) + np.maximum(right, 0.0)
+            index = int(widths.argmin())
+            if widths[index] < best[0]:
+                x, y = points[index].tolist()
+                best = (float(widths[index]), (x, y))
     return best
 
 

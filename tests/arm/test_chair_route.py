@@ -30,6 +30,8 @@ def test_equation_17() -> None:
 def test_turns_go_the_short_way_round() -> None:
     route = ChairRoute.between(PlanarPose(0, 0, radians(170)), PlanarPose(-1, -0.1, radians(-170)))
     assert max(abs(route.amounts[0]), abs(route.amounts[2])) < radians(30)
+    back = ChairRoute.between(PlanarPose(0, 0, radians(-170)), PlanarPose(-1, 0.1, radians(-170)))
+    assert max(abs(back.amounts[0]), abs(back.amounts[2])) < radians(30)
 
 
 @given(poses, poses, st.booleans())

@@ -32,9 +32,7 @@ def test_one_answer_a_line_and_four_an_arc() -> None:
 
 
 def test_a_motion_begins_where_the_one_before_ended() -> None:
-    checked = check_task(
-        page({"position": [2.0, 0.5, 0.9]}, {"frame": "gripper", "position": [0, 0, -0.05]})
-    )
+    checked = check_task(page({"position": [2.0, 0.5, 0.9]}, {"position": [2.0, 0.5, 0.85]}))
     assert checked.possible
     assert "from where the chair stands" in checked.poses[1].answer
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from omnistudy.arm import ArmBody, Configuration, load_arm
 from omnistudy.arm.find import load_task
 from omnistudy.arm.run import ArmRun, summaries
 from omnistudy.session.solve_arm import solve_task
@@ -56,6 +57,17 @@ def test_its_length_and_its_worst_error(run: ArmRun) -> None:
     assert run.steps[1].t == pytest.approx(0.0499949, abs=1e-6)
     (summary,) = summaries(run)
     assert 1000.0 * summary.worst_error == pytest.approx(0.057, abs=0.001)
+    assert summary.held_back == 0
+    assert summary.damped == sum(step.manipulability < 0.034 for step in run.steps)
+
+
+def test_the_smallest_singular_value_counts_a_radian_as_half_a_metre(run: ArmRun) -> None:
+    step = run.steps[300]
+    body = ArmBody(load_arm(run.arm))
+    rows = Configuration(body, np.array(step.joints), step.chair).arm_jacobian
+    metres = rows * np.array([1.0, 1.0, 1.0, 0.5, 0.5, 0.5])[:, None]
+    least = np.linalg.eigvalsh(metres @ metres.T)[0]
+    assert step.smallest == pytest.approx(np.sqrt(least))
 
 
 def test_the_arm_ends_stretched_and_its_damping_never_sees_it(run: ArmRun) -> None:

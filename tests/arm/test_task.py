@@ -41,7 +41,7 @@ def test_a_page_becomes_a_task(tmp_path: Path) -> None:
     task = load_task(write(tmp_path, PAGE))
     assert isinstance(task.controller, SriWln)
     assert task.controller.damping == "legacy"
-    assert task.controller.chair_weights.drive == 2.0  # type: ignore[union-attr]
+    assert task.controller.chair_weights.drive == 2.0
     assert task.start.joints == "ready"
 
 
@@ -53,6 +53,16 @@ def test_goals_in_each_frame(frame: str, place: tuple[float, float, float]) -> N
     path = motion(goal={"frame": frame, "position": [0.1, 0.2, 0.3]}).path(HAND, BASE)
     assert path.pose(1.0)[:3, 3] == pytest.approx(place)
     assert path.pose(1.0)[:3, :3] == pytest.approx(HAND[:3, :3])
+
+
+def test_a_rotation_is_seen_from_its_frame() -> None:
+    same = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
+    seen = {
+        frame: motion(goal={"frame": frame, "rotation": same}).path(HAND, BASE).pose(1.0)
+        for frame in ("ground", "gripper")
+    }
+    assert seen["ground"][:3, :3] == pytest.approx(np.eye(3))
+    assert seen["gripper"] == pytest.approx(HAND)
 
 
 def test_turns_are_about_the_hands_own_axes() -> None:

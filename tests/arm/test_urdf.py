@@ -11,7 +11,7 @@ import numpy as np
 import pybullet
 import pytest
 
-from omnistudy.arm import ArmBody, Configuration, arm_names, load_arm
+from omnistudy.arm import ArmBody, ArmProfile, Configuration, arm_names, load_arm
 from omnistudy.arm.urdf import CHAIR_JOINTS, HAND_LINK, urdf
 from omnistudy.geometry import PlanarPose
 from omnistudy.seeds import generator
@@ -28,11 +28,25 @@ class Loaded(NamedTuple):
     joints: dict[str, int]
 
 
-@pytest.fixture(scope="module", params=arm_names())
+BENT = "wmra1 with links that have lengths too"
+
+
+def profile_of(name: str) -> ArmProfile:
+    if name != BENT:
+        return load_arm(name)
+    straight = load_arm("wmra1")
+    joints = [
+        joint.model_copy(update={"a": 0.05 * number, "alpha": 0.3 * number - 1.0})
+        for number, joint in enumerate(straight.joints)
+    ]
+    return straight.model_copy(update={"name": "bent", "joints": tuple(joints)})
+
+
+@pytest.fixture(scope="module", params=[*arm_names(), BENT])
 def loaded(
     request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
 ) -> Iterator[Loaded]:
-    profile = load_arm(request.param)
+    profile = profile_of(request.param)
     file: Path = tmp_path_factory.mktemp("urdf") / f"{profile.name}.urdf"
     file.write_text(urdf(profile), encoding="utf-8")
     client = pybullet.connect(pybullet.DIRECT)

@@ -85,7 +85,7 @@ def test_operators_are_listed(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert run(monkeypatch, "operator", "list", "--json") == 0
-    kinds = [row["kind"] for row in json.loads(capsys.readouterr().out)]
+    kinds = [row["kind"] for row in json.loads(capsys.readouterr().out)["kinds"]]
     assert {"recorded", "virtual_driver"} <= set(kinds)
 
 

@@ -34,13 +34,13 @@ def test_fixed_weights_stay() -> None:
 
 
 def test_printed_weights_by_hand() -> None:
-    rule, guidance = PrintedWeights(), Guidance(STILL, bearing=1.0)
+    rule, guidance = PrintedWeights(), Guidance(STILL, bearing=2.0)
     first = rule.weights(guidance, facing(0.0), None)
     # at the first step the printed weight of the turn is 0, which the program divides by
-    assert first == (10.0, 1e-3, 1.0)
-    later = rule.weights(guidance, facing(0.5), first.memory)
-    assert later == pytest.approx((10.0, (1.0 - 0.25) ** 2 / (2.0 * 0.5), 1.0))
-    near = rule.weights(guidance, facing(0.75), first.memory)
+    assert first == (10.0, 1e-3, 2.0)
+    later = rule.weights(guidance, facing(1.0), first.memory)
+    assert later == pytest.approx((10.0, (4.0 - 1.0) ** 2 / (2.0 * 4.0 * 1.0), 2.0))
+    near = rule.weights(guidance, facing(1.75), first.memory)
     assert near.drive == 1.0
 
 

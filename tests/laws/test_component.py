@@ -6,12 +6,19 @@ lies 0.44 m ahead and 0.31 m aside.
 
 from __future__ import annotations
 
+from math import sin
+
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from laws.any_scene import reach, scans
 from laws.straight_walls import few_rays, scan_of
 
 from omnistudy.geometry import PlanarTwist, Scan
+from omnistudy.laws.boundary import CircularBoundary
 from omnistudy.laws.component import ComponentLaw
+from omnistudy.laws.zero_torque import ZeroTorqueLaw
 
 STILL = PlanarTwist(0.0, 0.0, 0.0)
 NEWTONS = 13.5 / 255
@@ -44,6 +51,22 @@ def test_what_is_ahead_on_the_left_pushes_right_and_turns_clockwise(
     assert wrench.tau == pytest.approx(-315 * 1 * arm / 2 * NEWTON_METRES, abs=1e-12)
 
 
+@given(scan=scans(), centre=st.floats(-0.3, 0.3))
+def test_a_centre_ahead_adds_its_arm_times_the_sideways_mean(scan: Scan, centre: float) -> None:
+    """tau(c) - tau(0) = ktheta·c·mean(py): moving ahead, what lies left turns less clockwise."""
+    moved = ComponentLaw(compliance_centre=centre).wrench(scan, STILL)
+    middle = ComponentLaw().wrench(scan, STILL)
+    sideways = [
+        (reach(angle) - distance) * sin(angle)
+        for angle, distance in zip(scan.angles, scan.ranges, strict=True)
+        if distance < reach(angle) and distance < scan.max_range
+    ]
+    mean = sum(sideways) / len(sideways) if sideways else 0.0
+    stiffness = 315 * 100 * NEWTON_METRES
+    assert moved.tau - middle.tau == pytest.approx(stiffness * centre * mean, abs=1e-8)
+    assert (moved.fx, moved.fy) == (middle.fx, middle.fy)
+
+
 def test_a_wall_on_the_left_pushes_right() -> None:
     # At 0.25 m: 6 cm deep square on; along (±0.6, 0.8) 0.31 / 0.8 - 0.25 / 0.8 = 7.5 cm.
     scan = few_rays([((0.6, 0.8), 0.3125), (LEFT, 0.25), ((-0.6, 0.8), 0.3125)])
@@ -58,6 +81,16 @@ def test_a_wall_beside_the_front_turns_away_from_it() -> None:
     assert wrench.fx == pytest.approx(-37.5 * 4.5 / 2 * NEWTONS)
     assert wrench.fy == pytest.approx(-24 * (6 + 6) / 2 * NEWTONS)
     assert wrench.tau == pytest.approx(-315 * 6 * 0.1875 / 2 * NEWTON_METRES)
+
+
+@pytest.mark.parametrize(("law", "turns"), [(ComponentLaw, True), (ZeroTorqueLaw, False)])
+def test_over_a_circle(law: type[ComponentLaw] | type[ZeroTorqueLaw], turns: bool) -> None:
+    # 0.40 m dead ahead: 10 cm inside 0.50 m. At (0.24, 0.32), 0.40 m off: 10 cm, of which 6 and 8.
+    scan = few_rays([(AHEAD, 0.40), ((0.6, 0.8), 0.40)])
+    wrench = law(boundary=CircularBoundary()).wrench(scan, STILL)
+    assert wrench.fx == pytest.approx(-37.5 * (10 + 6) / 2 * NEWTONS)
+    assert wrench.fy == pytest.approx(-24 * 8 / 2 * NEWTONS)
+    assert wrench.tau == pytest.approx(-315 * 8 * 0.24 / 2 * NEWTON_METRES if turns else 0.0)
 
 
 def test_the_check_scene() -> None:

@@ -82,15 +82,15 @@ def test_it_is_loaded_by_its_kind_and_gives_a_field(beside: Path) -> None:
         import numpy as np
         from omnistudy.geometry import PlanarTwist, Scan
         from omnistudy.laws import Sensed
-        from omnistudy.laws.catalogue import entry
         from omnistudy.registry import kinds, load_kind
+        from omnistudy.registry.catalogue import entry
 
         law = load_kind("laws", "headwind")
         scan = Scan(np.zeros(1), np.ones(1), 0.5)
         twist = PlanarTwist(0.25, 0.0, 0.0)
         field = law().field(Sensed(scan, twist, ((3.0, 0, 0), (0, 0, 0), (0, 0, 0))))
         print(json.dumps({
-            "kinds": kinds("laws"), "name": law.__name__, "entry": entry("headwind"),
+            "kinds": kinds("laws"), "name": law.__name__, "entry": entry("laws", "headwind"),
             "wrench": field.wrench, "stiffness": field.stiffness,
         }))
         """,

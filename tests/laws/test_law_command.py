@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from omnistudy.cli.app import main
+from omnistudy.registry import kinds, load_kind
 
 NEWTONS = 13.5 / 255
 STICK_METRES_PER_COUNT = 0.095 * 3.141592653589793 / 180 / 12
@@ -36,7 +37,7 @@ def test_laws_are_listed(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert run(monkeypatch, "list", "--json") == 0
-    rows = {row["kind"]: row for row in json.loads(capsys.readouterr().out)}
+    rows = {row["kind"]: row for row in json.loads(capsys.readouterr().out)["kinds"]}
     assert {"component", "none", "zero_torque"} <= set(rows)
     assert rows["component"]["package"] == "omnistudy"
     assert all(row["summary"].endswith(".") for row in rows.values())
@@ -80,6 +81,32 @@ def test_a_probe_is_not_clipped_and_takes_settings(
     assert found["fx"] == pytest.approx(-1000 * 0.2)
 
 
+def test_a_circle_is_asked_for_by_its_kind(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], post_ahead: Path
+) -> None:
+    found = _probed(
+        monkeypatch, capsys, post_ahead, "--set", "boundary.radius=0.4", "--set",
+        "boundary.kind=circular",
+    )  # fmt: skip
+    assert found["fx"] == pytest.approx(-37.5 * 6 * NEWTONS)
+
+
+@pytest.mark.parametrize("kind", kinds("laws"))
+def test_every_kind_is_shown_and_probed_over_every_boundary_that_it_takes(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], post_ahead: Path, kind: str
+) -> None:
+    assert run(monkeypatch, "show", kind) == 0
+    assert load_kind("laws", kind).__doc__.splitlines()[0][:20] in capsys.readouterr().out
+    assert run(monkeypatch, "probe", kind, "--scan", post_ahead) == 0
+    bounded = "boundary" in load_kind("laws", kind).model_fields
+    for boundary in ("circular", "rectangular"):
+        chosen = f"boundary.kind={boundary}"
+        status = run(monkeypatch, "probe", kind, "--scan", post_ahead, "--set", chosen)
+        said = capsys.readouterr()
+        assert status == (0 if bounded else 1)
+        assert bounded or "has no parameter 'boundary.kind'" in said.err
+
+
 def _probed(
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
@@ -117,6 +144,8 @@ def test_a_probe_is_read_by_people_too(
         (["--set", "boundary.layr_x=0.2"], 1, "did you mean 'boundary.layer_x'"),
         (["--set", "boundary.layer_x=-1"], 1, "boundary.layer_x = -1"),
         (["--set", "layer"], 1, "write name=value"),
+        (["--set", "boundary.radius=0.4"], 1, "boundary.radius: unknown key; the keys here are"),
+        (["--set", "boundary.kind=round"], 1, "unknown kind 'round': it is one of rectangular, c"),
     ],
 )
 def test_a_wrong_word_gets_one_sentence(
@@ -159,6 +188,17 @@ def test_a_law_is_drawn_twice_alike_and_never_over_a_file(
     assert first.read_bytes() == second.read_bytes()
     assert run(monkeypatch, "draw", "none", "-o", first, "--force", *scene) == 0
     assert first.read_bytes() != second.read_bytes()
+
+
+def test_several_laws_are_drawn_in_one_picture(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    assert run(monkeypatch, "draw", "component", "quadrant", "-o", tmp_path / "both.svg") == 0
+    assert "<!-- quadrant -->" in (tmp_path / "both.svg").read_text()
+    wrong = ["--set", "compliance_centre=0.1"]
+    assert run(monkeypatch, "draw", "component", "quadrant", "-o", tmp_path / "c.svg", *wrong) == 1
+    assert "'quadrant' has no parameter 'compliance_centre'" in capsys.readouterr().err
+    assert not (tmp_path / "c.svg").exists()
 
 
 def test_a_picture_needs_a_known_suffix(

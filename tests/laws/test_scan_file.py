@@ -18,6 +18,21 @@ def test_a_scan_is_read_as_written(tmp_path: Path) -> None:
     assert scan.ranges.tolist() == [0.3, 2.0]
     assert scan.angles.dtype == scan.ranges.dtype == float
     assert scan.max_range == 2.0
+    assert scan.origins is None
+    assert scan.rates is None
+
+
+def test_rays_may_start_off_the_centre_and_tell_how_fast_they_grow(tmp_path: Path) -> None:
+    path = tmp_path / "scan.json"
+    path.write_text(
+        '{"angles": [0, -1.5], "ranges": [0.3, 2], "max_range": 2,'
+        ' "x": [0.2, 0], "y": [0.1, -0.2], "rates": [-0.5, 0]}'
+    )
+    scan = read_scan(path)
+    assert scan.origins is not None
+    assert scan.origins.tolist() == [[0.2, 0.1], [0.0, -0.2]]
+    assert scan.rates is not None
+    assert scan.rates.tolist() == [-0.5, 0.0]
 
 
 @pytest.mark.parametrize(
@@ -32,6 +47,9 @@ def test_a_scan_is_read_as_written(tmp_path: Path) -> None:
         ('{"angles": [0], "ranges": [1]}', "'max_range' is missing"),
         ('{"angles": [], "ranges": [], "max_range": 2}', "'angles' is empty"),
         ('{"angles": [0, 1], "ranges": [1], "max_range": 2}', "2 angles but 1 ranges"),
+        ('{"angles": [0], "ranges": [1], "max_range": 2, "rates": []}', "'rates' is empty"),
+        ('{"angles": [0], "ranges": [1], "max_range": 2, "x": [1, 2]}', "1 angles but 2 x"),
+        ('{"angles": [0], "ranges": [1], "max_range": 2, "x": [1]}', "'y' is missing"),
         ('{"angles": 0, "ranges": [1], "max_range": 2}', "'angles' must be a list"),
         ('{"angles": [0], "ranges": ["1"], "max_range": 2}', 'entry 0, is "1" and not a number'),
         ('{"angles": [0], "ranges": [null], "max_range": 2}', "is null and not a number"),

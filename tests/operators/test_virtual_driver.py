@@ -31,8 +31,8 @@ SEEDS = ("0", "1", "2", "3")
 class FlippedLaw(ComponentLaw):
     """The component law with the torque the wrong way round: it turns the robot into the wall."""
 
-    def turning(self, touches: Touches) -> tuple[float, float]:
-        torque, damping = super().turning(touches)
+    def turning(self, touches: Touches, fx: float, fy: float) -> tuple[float, float]:
+        torque, damping = super().turning(touches, fx, fy)
         return -torque, damping
 
 

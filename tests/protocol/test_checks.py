@@ -45,7 +45,7 @@ def test_one_fault_is_one_sentence_that_names_the_file() -> None:
             "less than or equal to 3600 (in s)",
         ),
         ("law.kind=componnt", "law: unknown kind 'componnt'", "did you mean 'component'?"),
-        ("order.kind=rotatd", "order: unknown kind 'rotatd'", "did you mean 'rotated'?"),
+        ("order.kind=latn", "order: unknown kind 'latn'", "did you mean 'latin'?"),
         ("~plant.kind", "plant: a mapping with 'kind' is needed", "youbot"),
         ("~participants", "participants: is missing", "no default"),
         ("recording.sample_hz=7", "recording: given", "must divide physics_hz 240"),

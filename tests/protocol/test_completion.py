@@ -53,13 +53,19 @@ def test_laying_twice_is_laying_once(base: object, change: object) -> None:
     assert laid_over(once, change) == once
 
 
+def page(group: str, name: str) -> dict[str, object]:
+    """Stands for the pages of conf: their content tells which one it is."""
+    return {"kind": name, "from": f"conf/{group}/{name}.yaml"}
+
+
 def test_mappings_become_lists_and_levels_follow_the_factors() -> None:
     full = completed(
         {
             "factors": {"force": ["no", "yes"], "centre": [0]},
             "law": {"kind": "k", "a": 1, "b": 2},
             "conditions": {"one": {"levels": {"centre": 0, "force": "no"}, "law": {"b": 3}}},
-        }
+        },
+        page,
     )
     assert full["factors"][0] == {"name": "force", "levels": ["no", "yes"]}
     assert full["conditions"] == [
@@ -71,6 +77,61 @@ def test_mappings_become_lists_and_levels_follow_the_factors() -> None:
     ]
 
 
+def test_without_conditions_every_cell_of_the_factors_is_one() -> None:
+    full = completed(
+        {
+            "law": {"kind": "k", "a": 1},
+            "factors": {
+                "force": {"vary": "between", "levels": {"no": {"law": "none"}, "yes": {}}},
+                "centre": {"levels": {0: {}, -0.1: {"law": {"a": 2}}}},
+            },
+        },
+        page,
+    )
+    none = {"kind": "none", "from": "conf/law/none.yaml"}
+    assert full["factors"][0] == {"name": "force", "vary": "between", "levels": ["no", "yes"]}
+    assert [(one["name"], one["masked_label"], one.get("law")) for one in full["conditions"]] == [
+        ("no_centre_0", "A", none),
+        ("no_centre_minus_0_1", "B", none | {"a": 2}),
+        ("yes_centre_0", "C", None),
+        ("yes_centre_minus_0_1", "D", {"kind": "k", "a": 2}),
+    ]
+
+
+def test_a_condition_is_laid_over_its_levels() -> None:
+    full = completed(
+        {
+            "law": {"kind": "k", "a": 1, "b": 1, "c": 1},
+            "factors": {"force": {"levels": {"yes": {"law": {"a": 2, "b": 2}}}}},
+            "conditions": {"one": {"levels": {"force": "yes"}, "law": {"b": 3}}},
+        },
+        page,
+    )
+    assert full["conditions"][0]["law"] == {"kind": "k", "a": 2, "b": 3, "c": 1}
+
+
+def test_after_z_comes_aa() -> None:
+    levels = {f"l{index}": {} for index in range(28)}
+    full = completed({"factors": {"force": {"levels": levels}}}, page)
+    assert [one["masked_label"] for one in full["conditions"]][24:] == ["Y", "Z", "AA", "AB"]
+
+
+def test_visits_and_strata_may_be_mappings() -> None:
+    full = completed(
+        {
+            "visits": {"first": {"blocks": [{"only": {"force": "no"}}]}},
+            "participants": {"strata": {"young": 3, "old": {"count": 4}}},
+        },
+        page,
+    )
+    only = [{"factor": "force", "level": "no"}]
+    assert full["visits"] == [{"name": "first", "blocks": [{"only": only}]}]
+    assert full["participants"]["strata"] == [
+        {"name": "young", "count": 3},
+        {"name": "old", "count": 4},
+    ]
+
+
 def test_what_is_no_mapping_is_left_for_the_models() -> None:
     tree = {"factors": 3, "conditions": {"one": "two"}}
-    assert completed(tree) == {"factors": 3, "conditions": ["two"]}
+    assert completed(tree, page) == {"factors": 3, "conditions": ["two"]}

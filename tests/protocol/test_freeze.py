@@ -102,7 +102,7 @@ def test_mending_a_text_changes_the_site_hash_alone(path: Path) -> None:
         "routes=[red-blue-green,red-green-blue,blue-green-red]",
         "participants.study_key=other",
         "conditions.full.law.as_published=true",
-        "conditions.zero_torque.law.kind=component",
+        "conditions.zero_torque.law.as_published=true",
         "world.title=another",
         "name=another",
     ],

@@ -15,9 +15,9 @@ from omnistudy.protocol.schedule import schedule, session_duration
 def test_eight_people_drive_ten_trials_in_at_most_an_hour(component: Protocol) -> None:
     assert component.participants.count == 8
     assert component.session.longest == 3600.0
+    assert session_duration(component) <= 3600.0
     for slot in range(8):
         assert len(plan(component, slot)) == 10
-        assert session_duration(component, slot) <= 3600.0
 
 
 def test_six_conditions_have_the_laws_of_the_thesis(component: Protocol) -> None:

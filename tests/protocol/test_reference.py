@@ -33,7 +33,7 @@ def test_the_reference_of_a_protocols_keys_is_fresh(reference: ModuleType) -> No
         "| `conditions.NAME.law` | a kind of laws, below |",
         "| `session.longest` | number | s | > 0, <= 3600 | `3600` |",
         "| `site.ethics.status` | `approved` or `not_needed` |",
-        "| `boundary.layer_x` | number | m |",
+        "| `boundary (rectangular).layer_x` | number | m |",
     ],
 )
 def test_keys_come_with_unit_bounds_and_default(reference: ModuleType, line: str) -> None:

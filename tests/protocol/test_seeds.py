@@ -5,7 +5,7 @@ from itertools import product
 
 from omnistudy.protocol import Protocol
 from omnistudy.protocol.compose import compose_protocol
-from omnistudy.protocol.seeds import order_seed, participant_seed, trial_seed
+from omnistudy.protocol.seeds import allocation_seed, participant_seed, trial_seed
 
 
 def test_a_trials_seed_is_the_digest_of_what_identifies_the_attempt() -> None:
@@ -24,7 +24,11 @@ def test_a_replacement_is_another_person() -> None:
 
 
 def test_orders_trials_and_people_are_drawn_apart() -> None:
-    seeds = {order_seed("d", "k", 0), participant_seed("k", 0, 1), trial_seed("d", "k", 0, 1, 1, 1)}
+    seeds = {
+        allocation_seed("d", "k"),
+        participant_seed("k", 0, 1),
+        trial_seed("d", "k", 0, 1, 1, 1),
+    }
     assert len(seeds) == 3
 
 

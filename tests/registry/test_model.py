@@ -119,3 +119,23 @@ def test_an_unknown_kind_names_the_nearest() -> None:
     with pytest.raises(UnknownKind, match="did you mean 'youbot'") as caught:
         load_kind("plants", "yubot")
     assert (caught.value.group, caught.value.given) == ("plants", "yubot")
+
+
+def test_what_a_mapping_leaves_out_stays_as_its_owner_has_it() -> None:
+    from omnistudy.devices.simulated_stick import SimulatedStick
+    from omnistudy.laws.infrared import InfraredLaw
+    from omnistudy.laws.sector_sum import SectorSumLaw
+
+    law = InfraredLaw.model_validate({"boundary": {"layer_x": 0.3}})
+    own = InfraredLaw().boundary
+    assert law.boundary == own.model_copy(update={"layer_x": 0.3})
+    stick = SimulatedStick.model_validate({"theta": {"travel": 100}})
+    assert stick.theta.proportional == SimulatedStick().theta.proportional
+    assert SectorSumLaw.model_validate({"boundary": {"radius": 0.4}}).boundary.kind == "circular"
+
+
+def test_another_kind_replaces_a_part_whole() -> None:
+    from omnistudy.laws.infrared import InfraredLaw
+
+    law = InfraredLaw.model_validate({"boundary": {"kind": "circular"}})
+    assert law.boundary.kind == "circular"

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import pytest
 
+from omnistudy.devices.simulated_stick import SimulatedStick
 from omnistudy.errors import UnknownKind
 from omnistudy.errors.parameters import BadParameter, NotASetting, UnknownParameter
-from omnistudy.laws.boundary import RectangularBoundary
+from omnistudy.laws.boundary import CircularBoundary, RectangularBoundary
 from omnistudy.laws.component import ComponentLaw
 from omnistudy.laws.none import NoLaw
 from omnistudy.registry.parameters import make_kind, parameters
@@ -15,7 +16,7 @@ from omnistudy.registry.parameters import make_kind, parameters
 def test_nested_parameters_are_listed_with_unit_and_meaning() -> None:
     listed = {parameter.name: parameter for parameter in parameters(ComponentLaw)}
     assert "kind" not in listed
-    assert "boundary.kind" not in listed
+    assert "stiffness.kind" not in listed
     layer = listed["boundary.layer_x"]
     assert (layer.default, layer.unit) == (0.15, "m")
     assert layer.meaning == "Thickness of the layer ahead and behind (appendix B)."
@@ -23,6 +24,13 @@ def test_nested_parameters_are_listed_with_unit_and_meaning() -> None:
     assert (listed["as_published"].default, listed["as_published"].unit) == (False, "")
     assert all(parameter.meaning for parameter in listed.values())
     assert parameters(NoLaw) == ()
+
+
+def test_a_part_is_listed_with_the_numbers_that_its_owner_gives_it() -> None:
+    """The stick's axes differ from an axis's own defaults: gravity 100 in x, 70 in y."""
+    listed = {parameter.name: parameter.default for parameter in parameters(SimulatedStick)}
+    assert (listed["x.gravity"], listed["y.gravity"], listed["theta.gravity"]) == (100, 70, 0)
+    assert listed["theta.proportional"] == pytest.approx(1.9 * 0.7)
 
 
 def test_settings_change_what_they_name_and_nothing_else() -> None:
@@ -61,10 +69,43 @@ def test_a_wrong_name_is_told_the_nearest(name: str, nearest: str) -> None:
         make_kind("laws", "component", [f"{name}=1"])
 
 
-@pytest.mark.parametrize("name", ["kind", "boundary", "boundary.kind", "boundary.layer_x.y", "."])
+@pytest.mark.parametrize("name", ["kind", "boundary", "stiffness.kind", "boundary.layer_x.y", "."])
 def test_only_parameters_can_be_set(name: str) -> None:
     with pytest.raises(UnknownParameter):
         make_kind("laws", "component", [f"{name}=1"])
+
+
+def test_which_kind_a_part_is_of_is_a_parameter_where_there_is_a_choice() -> None:
+    listed = {parameter.name: parameter for parameter in parameters(ComponentLaw)}
+    assert listed["boundary.kind"].default == "rectangular"
+    assert listed["boundary.kind"].meaning == "One of rectangular, circular."
+    assert listed["boundary.radius"].meaning.startswith("Of kind circular. ")
+
+
+@pytest.mark.parametrize("backwards", [False, True])
+def test_a_part_of_another_kind_keeps_nothing_of_the_first(backwards: bool) -> None:
+    settings = ["boundary.kind=circular", "boundary.radius=0.4"]
+    law = make_kind("laws", "component", settings[::-1] if backwards else settings)
+    assert law.boundary == CircularBoundary(radius=0.4)
+    same = make_kind("laws", "component", ["boundary.kind=rectangular", "boundary.layer_x=0.2"])
+    assert same.boundary == RectangularBoundary(layer_x=0.2)
+
+
+@pytest.mark.parametrize(
+    ("settings", "said"),
+    [
+        (["boundary.radius=0.4"], "boundary.radius: unknown key; the keys here are kind, half_le"),
+        (["boundary.kind=circular", "boundary.layer_x=0.2"], "boundary.layer_x: unknown key; the"),
+        (
+            ["boundary.kind=circula"],
+            "boundary: unknown kind 'circula': it is one of rectangular, c",
+        ),
+    ],
+)
+def test_what_belongs_to_another_kind_of_part_is_refused(settings: list[str], said: str) -> None:
+    with pytest.raises(BadParameter) as caught:
+        make_kind("laws", "component", settings)
+    assert said in str(caught.value)
 
 
 def test_a_kind_without_parameters_says_so() -> None:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from omnistudy.channel import SAMPLE_COLUMNS, Channel, Event, Stream
 from omnistudy.store import (
     Level,
+    NewAllocation,
     NewCondition,
     NewParticipant,
     NewStudy,
@@ -59,9 +60,11 @@ def make_study(new_study: NewStudy) -> MakeStudy:
                     ),
                 ]
             )
+            writer.add_allocations(NewAllocation(slot, "", "", slot) for slot in range(4))
             for number, kind in ((1, "virtual"), (2, "human")):
                 participant = writer.add_participant(
-                    NewParticipant(code=f"P{number:02}", kind=kind, seed=str(number) * 64)
+                    NewParticipant(code=f"P{number:02}", kind=kind, seed=str(number) * 64),
+                    slot=number - 1,
                 )
                 session = writer.add_session(participant)
                 for position in (1, 2, 3):

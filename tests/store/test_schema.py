@@ -24,7 +24,7 @@ from omnistudy.errors.store import (
 )
 from omnistudy.store import StudyWriter, open_study, sample_digest, upgrade_study
 from omnistudy.store.connection import writing_engine
-from omnistudy.store.schema import MIGRATIONS, check_revision, migrate, newest_revision
+from omnistudy.store.schema import MIGRATIONS, migrate, newest_revision
 from omnistudy.store.tables import Base
 
 NEXT_REVISION = """
@@ -133,10 +133,20 @@ def test_first_revision_can_be_migrated(tmp_path: Path) -> None:
         alembic = Config(attributes={"connection": connection})
         alembic.set_main_option("script_location", MIGRATIONS)
         command.upgrade(alembic, "0001")
-    if newest_revision() != "0001":
-        upgrade_study(path)
-    with writing_engine(path).begin() as connection:
-        check_revision(connection, path)
+        connection.exec_driver_sql(
+            "INSERT INTO study VALUES ('old', 'Old', 'virtual', '{}', 1, ?, ?, ?, '0.1.0')",
+            ("d" * 64, "e" * 64, "2026-11-22T06:22:38.125Z"),
+        )
+        connection.exec_driver_sql(
+            "INSERT INTO participant VALUES (1, 'P01', 'virtual', NULL, '0', 'enrolled', ?),"
+            " (2, 'P02', 'virtual', NULL, '1', 'enrolled', ?)",
+            ("1" * 64, "2" * 64),
+        )
+    upgrade_study(path)
+    with open_study(path) as study:
+        assert study.allocations().values.tolist() == [[0, "", "", 0, "P01"], [1, "", "", 1, "P02"]]
+        (version,) = study.protocol_versions()
+    assert (version.version, version.design_hash, version.reason) == (1, "d" * 64, "first freeze")
 
 
 def test_older_database_is_refused_with_the_line_to_type(study: Path, next_omnistudy: Any) -> None:

@@ -71,7 +71,9 @@ def test_columns_have_their_types_before_any_trial_was_run(study: Path) -> None:
 def test_a_study_without_conditions_can_be_read(tmp_path: Path, new_study: NewStudy) -> None:
     with StudyWriter.create(tmp_path / "bare.db", new_study) as writer:
         session = writer.add_session(
-            writer.add_participant(NewParticipant(code="P01", kind="virtual", seed="1" * 64))
+            writer.add_participant(
+                NewParticipant(code="P01", kind="virtual", seed="1" * 64), slot=0
+            )
         )
         writer.add_trial(
             NewTrial(
@@ -282,7 +284,7 @@ def test_any_sample_comes_back(values: NDArray[np.float64]) -> None:
         )
         with StudyWriter.create(path, study) as writer:
             person = NewParticipant(code="P01", kind="virtual", seed="1" * 64)
-            session = writer.add_session(writer.add_participant(person))
+            session = writer.add_session(writer.add_participant(person, slot=0))
             trial = NewTrial(
                 session_id=session, position=1, kind="main", task="t", route="r", seed="2" * 64
             )

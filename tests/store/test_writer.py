@@ -79,7 +79,9 @@ def test_a_file_that_appears_meanwhile_is_left_alone(tmp_path: Path, new_study: 
 def test_creation_is_whole_or_not_at_all(tmp_path: Path, new_study: NewStudy) -> None:
     def fail_half_way() -> None:
         with StudyWriter.create(tmp_path / "half.db", new_study) as writer:
-            writer.add_participant(NewParticipant(code="P01", kind="virtual", seed="1" * 64))
+            writer.add_participant(
+                NewParticipant(code="P01", kind="virtual", seed="1" * 64), slot=0
+            )
             raise KeyError("something else went wrong")
 
     with pytest.raises(KeyError):
@@ -97,13 +99,15 @@ def test_creation_makes_the_folder(tmp_path: Path, new_study: NewStudy) -> None:
 def test_transactions_keep_all_or_nothing(study: Path) -> None:
     def fail_half_way(writer: StudyWriter) -> None:
         with writer.transaction():
-            writer.add_participant(NewParticipant(code="P03", kind="virtual", seed="3" * 64))
+            writer.add_participant(
+                NewParticipant(code="P03", kind="virtual", seed="3" * 64), slot=2
+            )
             raise KeyError("something else went wrong")
 
     with StudyWriter.open(study) as writer:
         with pytest.raises(KeyError):
             fail_half_way(writer)
-        writer.add_participant(NewParticipant(code="P04", kind="virtual", seed="4" * 64))
+        writer.add_participant(NewParticipant(code="P04", kind="virtual", seed="4" * 64), slot=3)
     assert rows(study, "SELECT code FROM participant") == [("P01",), ("P02",), ("P04",)]
 
 

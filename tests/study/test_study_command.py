@@ -46,6 +46,23 @@ def test_a_changed_protocol_is_refused_with_a_diff(
     assert "participants.count: 1 -> 8" in capsys.readouterr().err
 
 
+def test_the_protocol_that_a_study_was_frozen_with_is_shown(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], studies: Path
+) -> None:
+    changes = ("participants.count=1", "session.pause=17")
+    run(monkeypatch, "study", "create", NAME, *changes, "--name", "a")
+    capsys.readouterr()
+    assert run(monkeypatch, "study", "show", "a", "--json") == 0
+    frozen = capsys.readouterr().out
+    assert json.loads(frozen)["session"]["pause"] == 17.0
+    assert run(monkeypatch, "protocol", "show", NAME, *changes, "--json") == 0
+    assert capsys.readouterr().out == frozen
+    assert run(monkeypatch, "study", "show", "a") == 0
+    shown = capsys.readouterr().out
+    assert run(monkeypatch, "protocol", "show", NAME, *changes) == 0
+    assert capsys.readouterr().out == shown
+
+
 def test_a_dry_run_writes_nothing(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], studies: Path
 ) -> None:

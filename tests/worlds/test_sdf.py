@@ -200,3 +200,77 @@ def test_csv_path_that_is_none_is_one_sentence(tmp_path: Path, text: str) -> Non
     file.write_text(text, encoding="utf-8")
     with pytest.raises(BrokenPath):
         read_path(file)
+
+
+def actor(*waypoints: str, script: str = "") -> str:
+    inside = "".join(
+        f"<waypoint><time>{t}</time><pose>{place} 0 0 0 0</pose></waypoint>"
+        for t, place in (one.split(":") for one in waypoints)
+    )
+    trajectory = f"<trajectory id='0' type='walk'>{inside}</trajectory>"
+    return f"<actor name='ann'><script>{script}{trajectory}</script></actor>"
+
+
+def test_an_actor_becomes_a_cylinder_that_keeps_its_times(tmp_path: Path) -> None:
+    # Out in 4 s, a rest of 2 s, back in 4 s; the loop waits for its delay of 1 s again.
+    way = ("4:2 1", "0:0 1", "6:2 1", "10:0 1")
+    file = sdf(tmp_path, extra=actor(*way, script="<delay_start>1</delay_start>"))
+    imported = import_sdf(file, START, GOAL)
+    (ann, _) = imported.world.bodies
+    assert (ann.name, ann.x, ann.y, ann.geometry) == (
+        "ann",
+        0.0,
+        1.0,
+        Cylinder(radius=0.25, length=1.7),
+    )
+    assert ann.track is not None
+    assert ann.track.period == 11.0
+    seen = [ann.track.at(t)[:2] for t in (0.5, 3.0, 5.0, 6.5, 9.0, 11.5, 14.0)]
+    assert seen == [(0, 1), (1, 1), (2, 1), (2, 1), (1, 1), (0, 1), (1, 1)]
+    assert imported.left_out == ()
+
+
+def test_an_actor_without_a_loop_stays_where_it_arrives(tmp_path: Path) -> None:
+    file = sdf(tmp_path, extra=actor("0:0 1", "4:2 1", script="<loop>false</loop>"))
+    (ann, _) = import_sdf(file, START, GOAL).world.bodies
+    assert ann.track is not None
+    assert ann.track.at(100.0) == (2.0, 1.0, 0.0, 0.0)
+
+
+def test_an_actor_who_stays_is_a_post(tmp_path: Path) -> None:
+    (ann, _) = import_sdf(sdf(tmp_path, extra=actor("0:0 1", "4:0 1")), START, GOAL).world.bodies
+    assert ann.motion is None
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        (actor("0:0 1", "4:2 1"), "who would leap from the end of the way to its start"),
+        (actor(), "whose trajectory has no waypoints"),
+        ("<actor name='ann'><script/></actor>", "has no single trajectory that starts by itself"),
+        (actor("0:0 1", "4:0 1", script="<auto_start>false</auto_start>"), "starts by itself"),
+    ],
+)
+def test_an_actor_who_cannot_be_followed_is_named(tmp_path: Path, given: str, said: str) -> None:
+    (line,) = import_sdf(sdf(tmp_path, extra=given), START, GOAL).left_out
+    assert "'ann'" in line
+    assert said in line
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        (actor("soon:0 1"), "the time of a waypoint of actor 'ann' is 'soon', not numbers"),
+        (actor("-1:0 1"), "is -1, before the script begins"),
+        (actor("0:0"), "where 6 numbers are needed"),
+    ],
+)
+def test_a_broken_waypoint_is_told(tmp_path: Path, given: str, said: str) -> None:
+    with pytest.raises(BrokenSdf, match=re.escape(said)):
+        import_sdf(sdf(tmp_path, extra=given), START, GOAL)
+
+
+def test_two_stops_at_one_time_are_refused(tmp_path: Path) -> None:
+    file = sdf(tmp_path, extra=actor("0:0 1", "4:1 1", "4:2 1", "8:0 1"))
+    with pytest.raises(BrokenSdf, match="two waypoints of actor 'ann' have the time 4"):
+        import_sdf(file, START, GOAL)
