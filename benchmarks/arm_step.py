@@ -87,7 +87,9 @@ def _pink(body: ArmBody) -> Step | None:
         from pink.tasks import FrameTask, PostureTask
     except ImportError:
         return None
-    model = pinocchio.buildModelFromXML(urdf(body.profile))
+    # Pinocchio finds frames by name alone, and ours has a joint and a link of one name
+    text = urdf(body.profile).replace(f'<joint name="{HAND_LINK}"', '<joint name="hand_mount"')
+    model = pinocchio.buildModelFromXML(text)
     data = model.createData()
     hand = FrameTask(HAND_LINK, position_cost=1.0, orientation_cost=0.5)
     posture = PostureTask(cost=1e-3)

@@ -9,7 +9,7 @@ from omnistudy.arm.profile import ArmProfile, Joint
 CHAIR_JOINTS = ("chair_x", "chair_y", "chair_theta")
 """The wheelchair slides and turns on three joints over the floor: its pose is theirs."""
 
-HAND_LINK, HAND_JOINT = "hand", "hand_mount"
+HAND_LINK = "hand"
 
 MASS, INERTIA = 1.0, 0.01
 """kg and kg·m² of every link: no published weights are known; physics needs some."""
@@ -40,7 +40,7 @@ def urdf(profile: ArmProfile) -> str:
         _revolute(robot, f"joint_{number}", (parent, child), joint, before)
         parent, before = child, joint.d
     _link(robot, HAND_LINK, 0.0)
-    hand = _joint(robot, HAND_JOINT, "fixed", (parent, HAND_LINK))
+    hand = _joint(robot, HAND_LINK, "fixed", (parent, HAND_LINK))
     _origin(hand, (0.0, 0.0, before + profile.gripper), 0.0)
     Xml.indent(robot)
     return f'<?xml version="1.0"?>\n{Xml.tostring(robot, encoding="unicode")}\n'

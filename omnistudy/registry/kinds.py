@@ -31,15 +31,12 @@ BUILT_IN: Mapping[str, Mapping[str, str]] = {
         "pi_wln": "omnistudy.controllers.pi_wln:PiWln",
         "sri_ene": "omnistudy.controllers.sri_ene:SriEne",
         "pi_ene": "omnistudy.controllers.pi_ene:PiEne",
-<<<<<<< HEAD
         "dual_qp": "omnistudy.controllers.dual_qp:DualQp",
-=======
         "power_assist": "omnistudy.controllers.power_assist:PowerAssistController",
     },
     "plants": {
         "youbot": "omnistudy.plants.youbot:Youbot",
         "nexus": "omnistudy.plants.nexus:Nexus",
->>>>>>> arm
     },
     "devices": {
         "simulated_stick": "omnistudy.devices.simulated_stick:SimulatedStick",
