@@ -61,14 +61,18 @@ class _Tree:
         self.nodes = [root]
         self._before = [0]
 
-    def grow(self, body: ArmBody, towards: Floats) -> int | None:
-        """Add a branch from the nearest node, at most `REACH` long; None where it is not clear."""
+    def grow(self, body: ArmBody, towards: Floats, *, vetted: bool = False) -> int | None:
+        """Add a branch from the nearest node, at most `REACH` long; None where it is not clear.
+
+        vetted : whether a node of a tree is there, which need not be looked at again.
+        """
         nearest = int(np.abs(np.array(self.nodes) - towards).max(axis=1).argmin())
         begin = self.nodes[nearest]
         way = towards - begin
         longest = float(np.abs(way).max())
         end = towards if longest <= REACH else begin + way * (REACH / longest)
-        if not _clear(body, begin, end):
+        known = end is towards and vetted
+        if not (known or _room(body, end) >= ROOM) or not _clear(body, begin, end):
             return None
         self.nodes.append(end)
         self._before.append(nearest)
@@ -77,7 +81,7 @@ class _Tree:
     def connect(self, body: ArmBody, towards: Floats) -> int | None:
         """Grow until it is there; None where it is stopped."""
         while True:
-            reached = self.grow(body, towards)
+            reached = self.grow(body, towards, vetted=True)
             if reached is None or self.nodes[reached] is towards:
                 return reached
 

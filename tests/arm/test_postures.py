@@ -48,9 +48,19 @@ def test_a_way_with_nothing_in_between_is_straight(wmra1: ArmBody) -> None:
     assert [joints.tolist() for joints in way] == [ready.tolist(), goal.tolist()]
 
 
-def test_a_way_round_the_users_lap_is_clear_all_along(wmra1: ArmBody) -> None:
+@pytest.mark.parametrize(
+    "change",
+    [
+        (0.95, -0.4, -0.37, 0.78, 0.17, -0.06, 0.55),
+        (0.04, -0.23, 0.02, 0.66, 0.49, -0.87, -0.57),
+        (0.98, 0.45, -0.14, -0.6, -0.76, -0.17, 0.31),
+    ],
+)
+def test_a_way_round_the_zones_is_clear_all_along(
+    wmra1: ArmBody, change: tuple[float, ...]
+) -> None:
     ready = np.array(wmra1.profile.ready)
-    goal = ready + np.array((0.04, -0.23, 0.02, 0.66, 0.49, -0.87, -0.57))
+    goal = ready + np.array(change)
     assert wmra1.zones.intrusions(wmra1.frames(goal)).names == ()
     way = detour(wmra1, ready, goal)
     assert len(way) > 2

@@ -151,6 +151,7 @@ def test_a_goal_out_of_reach_is_refused_with_how_much_is_short() -> None:
         ImpossibleTask, match=r"motion 'it' is refused .* the hand is still 1\d{3} mm"
     ):
         plan_task(task({"position": [1.0, 0.0, 3.0]}))
+    assert look_for_plan(task({"position": [1.0, 0.0, 3.0]})).tries == 0
 
 
 def test_a_goal_too_far_from_the_chairs_is_refused_with_the_nearest_stand_off() -> None:
