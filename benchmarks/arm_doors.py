@@ -44,8 +44,8 @@ def _door(name: str) -> Door:
     began = time.perf_counter()
     plan = look_for_plan(task)
     seconds = time.perf_counter() - began
-    if not plan.motions:
-        return Door(name, False, seconds, plan.tries, 0.0, 0.0, plan.refused[1])
+    if plan.refused is not None:
+        return Door(name, False, seconds, plan.tries, 0.0, 0.0, plan.refused.answer)
     done = summaries(solve_task(task, plan=plan))
     return Door(
         name,
@@ -54,5 +54,5 @@ def _door(name: str) -> Door:
         plan.tries,
         1000 * max(summary.worst_error for summary in done),
         degrees(max(summary.worst_turn for summary in done)),
-        plan.motions[-1].answer,
+        plan.motions[-1].answer.answer,
     )

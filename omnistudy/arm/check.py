@@ -13,6 +13,7 @@ from omnistudy.arm.find import load_arm
 from omnistudy.arm.stand_off import StandOff, in_words, nearest_stand_off
 from omnistudy.arm.task import ArmTask, Motion
 from omnistudy.errors.arm import ImpossibleStart
+from omnistudy.geometry import PlanarPose
 
 ARC_LOOKS = (0.25, 0.5, 0.75, 1.0)
 """Shares of an arc that are checked; of a line, its end."""
@@ -35,6 +36,21 @@ class PoseCheck(NamedTuple):
         return self.nearest.reached
 
     @property
+    def in_numbers(self) -> PoseAnswer:
+        """Give it for other programs."""
+        at = self.nearest.configuration
+        return PoseAnswer(
+            self.motion,
+            self.share,
+            self.possible,
+            at.chair,
+            tuple(at.joints.tolist()),
+            *self.nearest.short,
+            at.intrusions.names,
+            self.answer,
+        )
+
+    @property
     def answer(self) -> str:
         """Say it in a sentence."""
         zones = self.nearest.configuration.intrusions.names
@@ -49,6 +65,24 @@ class PoseCheck(NamedTuple):
         if self.nearest.distance == 0.0 and self.nearest.turn == 0.0:
             return f"can be reached from where the chair stands{touching}"
         return f"can be reached with the chair at {place}{touching}"
+
+
+class PoseAnswer(NamedTuple):
+    """A pose's answer for other programs.
+
+    chair : the stand-off, x, y in m and heading in rad. short, short_turn : what is missing, m
+    and rad. zones : what the arm is in.
+    """
+
+    motion: str
+    share: float
+    possible: bool
+    chair: PlanarPose
+    joints: tuple[float, ...]
+    short: float
+    short_turn: float
+    zones: tuple[str, ...]
+    answer: str
 
 
 class TaskCheck(NamedTuple):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import degrees, isnan
+from math import degrees
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -12,7 +12,7 @@ from omnistudy.cli.arguments import AsJson
 from omnistudy.cli.output import print_json, print_line, print_table, progress
 
 if TYPE_CHECKING:
-    from omnistudy.arm.run import MotionSummary
+    from omnistudy.arm.check import PoseAnswer
     from omnistudy.arm.task import ArmTask
 
 app = typer.Typer(no_args_is_help=True)
@@ -31,9 +31,9 @@ def _tasks() -> list[str]:
 
 
 def _controllers() -> list[str]:
-    from omnistudy.registry import kinds
+    from omnistudy.session.plan_arm import arm_controllers
 
-    return list(kinds("controllers"))
+    return list(arm_controllers())
 
 
 def _figures() -> list[str]:
@@ -146,33 +146,30 @@ def check(task: TaskArgument, controller: ControllerOption = None, as_json: AsJs
     from omnistudy.session.plan_arm import is_led
 
     page = _task(task, controller)
-    rows = _planned(page) if is_led(page) else _looked_at(page)
+    answers = _planned(page) if is_led(page) else _looked_at(page)
     if as_json:
-        keys = ("motion", "share", "possible", "answer")
-        print_json([dict(zip(keys, row, strict=True)) for row in rows])
+        print_json([answer._asdict() for answer in answers])
     else:
+        rows = [(a.motion, a.share, a.possible, a.answer) for a in answers]
         print_table(task, ("motion", "share of its path", "possible", "answer"), rows)
-    if not all(possible for _, _, possible, _ in rows):
+    if not all(answer.possible for answer in answers):
         raise typer.Exit(1)
 
 
-def _looked_at(page: ArmTask) -> list[tuple[str, float, bool, str]]:
+def _looked_at(page: ArmTask) -> list[PoseAnswer]:
     from omnistudy.arm.check import check_task, looks
 
     with progress("poses", looks(page)) as advance:
         checked = check_task(page, advance)
-    return [(p.motion, p.share, p.possible, p.answer) for p in checked.poses]
+    return [pose.in_numbers for pose in checked.poses]
 
 
-def _planned(page: ArmTask) -> list[tuple[str, float, bool, str]]:
+def _planned(page: ArmTask) -> list[PoseAnswer]:
     from omnistudy.session.plan_arm import MOST_TRIES, look_for_plan
 
     with progress("ways", MOST_TRIES) as advance:
         plan = look_for_plan(page, advance)
-    if not plan.motions:
-        motion, why = plan.refused
-        return [(motion, 1.0, False, why)]
-    return [(p.motion.name, 1.0, True, p.answer) for p in plan.motions]
+    return [motion.answer for motion in plan.motions] if plan.refused is None else [plan.refused]
 
 
 @app.command()
@@ -198,6 +195,7 @@ def solve(
     from omnistudy.arm.check import looks
     from omnistudy.arm.run import summaries
     from omnistudy.arm.run_file import may_write, write_run
+    from omnistudy.cli.arm_motions import print_motions
     from omnistudy.session.plan_arm import MOST_TRIES, is_led, plan_task
     from omnistudy.session.solve_arm import refuse_impossible, solve_task
 
@@ -222,7 +220,7 @@ def solve(
     if as_json:
         print_json([summary._asdict() for summary in found])
         return
-    _print_summaries(found)
+    print_motions(found)
     print_line(f"wrote {output}: {len(run.steps)} steps")
 
 
@@ -240,39 +238,6 @@ def _led_by(task: ArmTask, controller: str) -> ArmTask:
     chosen = load_kind("controllers", controller)()
     motions = tuple(m.model_copy(update={"controller": None}) for m in task.motions)
     return task.model_copy(update={"controller": chosen, "motions": motions})
-
-
-def _print_summaries(found: tuple[MotionSummary, ...]) -> None:
-    rows = [
-        (
-            summary.motion,
-            round(summary.duration, 2),
-            round(1000 * summary.worst_error, 3),
-            round(degrees(summary.worst_turn), 3),
-            round(1000 * summary.final_error, 3),
-            round(degrees(summary.final_turn), 3),
-            round(1000 * summary.driven, 1),
-            round(degrees(summary.chair.theta), 2),
-            None if isnan(summary.chair_error) else round(1000 * summary.chair_error, 1),
-            None if isnan(summary.chair_turn) else round(degrees(summary.chair_turn), 1),
-            summary.held_back,
-            summary.damped,
-            "yes" if summary.followed else "no",
-        )
-        for summary in found
-    ]
-    columns = (
-        *("motion", "s", "worst mm", "worst deg", "final mm", "final deg", "driven mm"),
-        *(
-            "heading deg",
-            "chair off mm",
-            "chair off deg",
-            "steps held back",
-            "steps damped",
-            "arrived",
-        ),
-    )
-    print_table("Motions of the hand", columns, rows)
 
 
 @app.command()

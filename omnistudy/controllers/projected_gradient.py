@@ -5,12 +5,15 @@ from __future__ import annotations
 from typing import Annotated, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 from pydantic import Field
 
 from omnistudy.controllers.damping import Damping
 from omnistudy.controllers.rate_problem import Inverse, Problem, Solution
 from omnistudy.controllers.resolved_rate import ResolvedRateController
 from omnistudy.units import Ratio
+
+Floats = NDArray[np.float64]
 
 STEEPEST = 1e6
 """1/rad: a gradient, infinite at a limit, is clipped to this; ours."""
@@ -22,8 +25,11 @@ class ProjectedGradient(ResolvedRateController):
     gain: Annotated[Ratio, Field(ge=0)] = 0.02
     """1/s: the printed 0.001 a step of 0.05 s."""
     slide: Literal["legacy", "away"] = "away"
-    """`legacy` has the printed plus sign, towards the limits, and no bound; `away` is kept within
-    the top rates."""
+    """`legacy` has the printed plus sign, towards the limits, no bound, and leaves out what moves
+    away from its limit; `away` is kept within the top rates."""
+
+    def _slope(self, gradient: Floats, added: Floats) -> Floats:
+        return np.sign(gradient) * added if self.slide == "legacy" else gradient
 
     def solve(self, problem: Problem, damping: Damping | None) -> Solution:
         """Give the least rates that do what is wanted, with the slide."""

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omnistudy.arm.configuration import ArmBody, Configuration
-from omnistudy.arm.guidance import Guidance
+from omnistudy.arm.guidance import TWIST, Guidance
 from omnistudy.arm.limits import limit_gradient, limit_weights
 from omnistudy.arm.step_report import StepReport
 from omnistudy.controllers.controller import Control, Controller
@@ -73,13 +73,15 @@ class ResolvedRateController(Controller):
         guidance = self._in_ground_axes(Guidance.read(device.position), configuration)
         gradient, added = self._limits(configuration, memory.gradient)
         free, weights_memory = self._inverse_weights(guidance, configuration, added, memory)
-        problem = self._problem(guidance, configuration, free, gradient)
+        slope = self._slope(gradient, added)
+        problem = self._problem(guidance, configuration, free, slope)
         solution, hits = self._solve_within_limits(problem, configuration, dt)
         rates, held = self._held_back(solution.rates, configuration, dt)
         hits += held + (("singular",) if solution.singular else ())
         remembered = gradient if self.limit_memory == "kept" else np.sign(gradient) * added
         report = StepReport(solution.manipulability, solution.damping, hits)
-        return Control(device.position, rates, RateMemory(remembered, weights_memory, report))
+        asked = device.position[:TWIST]
+        return Control(asked, rates, RateMemory(remembered, weights_memory, report))
 
     @abstractmethod
     def solve(self, problem: Problem, damping: Damping | None) -> Solution:
@@ -89,6 +91,10 @@ class ResolvedRateController(Controller):
     def damping_name(self) -> DampingName | None:
         """Which damping the law has; None for a pseudo-inverse."""
         return None
+
+    def _slope(self, gradient: Floats, added: Floats) -> Floats:
+        """Give what the null space slides along, (n,): the gradient. Laws may leave some out."""
+        return gradient
 
     def _inverse_weights(
         self, guidance: Guidance, configuration: Configuration, added: Floats, memory: RateMemory
@@ -156,7 +162,8 @@ class ResolvedRateController(Controller):
             return solution, _named("limit", frozen)
         stopped = np.zeros(body.count, dtype=np.bool_)
         for _ in range(body.count):
-            rates = solution.rates[: body.count]
+            # a rate that will be slowed anyhow does not pass a limit
+            rates = self._slowed(solution.rates, body)[0][: body.count]
             after = joints + rates * dt
             passing = ((after > body.upper) & (rates > 0.0)) | (
                 (after < body.lower) & (rates < 0.0)
@@ -172,9 +179,7 @@ class ResolvedRateController(Controller):
         self, rates: Floats, configuration: Configuration, dt: float
     ) -> tuple[Floats, tuple[str, ...]]:
         """Apply the speed limits and the zones."""
-        hits: tuple[str, ...] = ()
-        if self.speed_limits != "none":
-            rates, hits = self._slowed(rates, configuration.body)
+        rates, hits = self._slowed(rates, configuration.body)
         if self.zones == "none" or self.moves == "chair":
             return rates, hits
         ahead = configuration.moved(rates, dt).intrusions
@@ -189,6 +194,8 @@ class ResolvedRateController(Controller):
         return rates, hits + tuple(f"zone {name}" for name in ahead.names)
 
     def _slowed(self, rates: Floats, body: ArmBody) -> tuple[Floats, tuple[str, ...]]:
+        if self.speed_limits == "none":
+            return rates, ()
         top = body.top_rates
         over = np.abs(rates) / top
         most = float(over.max())

@@ -88,3 +88,23 @@ class RunNotWritten(OmnistudyError):
         super().__init__(
             f"{file} cannot be written ({reason}): give a file in a folder that exists"
         )
+
+
+class NotAnArmController(OmnistudyError):
+    """A controller that cannot lead an arm."""
+
+    def __init__(self, kind: str, allowed: Sequence[str]) -> None:
+        super().__init__(
+            f"controller '{kind}' leads no arm: those that do are {', '.join(allowed)}; its state "
+            "must have a report of each step"
+        )
+
+
+class TooManySteps(OmnistudyError):
+    """A motion so slow that its run would never end."""
+
+    def __init__(self, motion: str, duration: float, step: float, most: int) -> None:
+        super().__init__(
+            f"motion '{motion}' would take {duration:.0f} s, which is {duration / step:.0f} steps "
+            f"of {step:g} s: at most {most} can be run; raise its speed or the task's step"
+        )

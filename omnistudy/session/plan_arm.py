@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from omnistudy.arm.chair_route import ChairRoute
-from omnistudy.arm.check import start_of
+from omnistudy.arm.check import PoseAnswer, start_of
 from omnistudy.arm.configuration import Configuration
 from omnistudy.arm.duration import durations
 from omnistudy.arm.lead import ChairLead, Lead, WorldLead
@@ -22,8 +22,9 @@ from omnistudy.arm.task import ArmTask, Motion
 from omnistudy.arm.ways import ways
 from omnistudy.controllers import Controller
 from omnistudy.controllers.led import LedController
-from omnistudy.errors.arm import ImpossibleTask
+from omnistudy.errors.arm import ImpossibleTask, NotAnArmController, TooManySteps
 from omnistudy.geometry.rigid_motion import pose_error
+from omnistudy.registry import kinds, load_kind
 from omnistudy.session.follow_arm import ARRIVED, Followed, Pace, follow
 from omnistudy.session.refuse_arm import CHANGE_IT, Stopped, why_none, why_stopped
 
@@ -32,6 +33,9 @@ COARSE = 4
 
 MOST_TRIES = 600
 """Ways looked at in all, before a task is given up."""
+
+MOST_STEPS = 100_000
+"""Of one motion: 83 minutes at the usual step."""
 
 ARRIVES = (1e-4, radians(0.02))
 """m, rad within which the hand is at the end of its way."""
@@ -51,10 +55,12 @@ class PlannedMotion(NamedTuple):
     end: Configuration | None = None
 
     @property
-    def answer(self) -> str:
-        """Say how hand and chair go."""
-        to = "" if self.end is None else f", to {in_words(self.end.chair)}"
-        return f"{self.says or 'as published'}{to}"
+    def answer(self) -> PoseAnswer:
+        """Say how hand and chair go, and where they end."""
+        at = self.end or self.start
+        says = f"{self.says or 'as published'}, to {in_words(at.chair)}"
+        joints, zones = tuple(at.joints.tolist()), at.intrusions.names
+        return PoseAnswer(self.motion.name, 1.0, True, at.chair, joints, 0.0, 0.0, zones, says)
 
 
 class Plan(NamedTuple):
@@ -65,7 +71,7 @@ class Plan(NamedTuple):
 
     motions: tuple[PlannedMotion, ...]
     tries: int
-    refused: tuple[str, str] = ("", "")
+    refused: PoseAnswer | None = None
 
 
 class Outcome(NamedTuple):
@@ -83,13 +89,32 @@ def controller_of(task: ArmTask, motion: Motion) -> Controller:
     return controller
 
 
+def arm_controllers() -> tuple[str, ...]:
+    """Name the kinds of controllers that lead arms: those that report each step."""
+    return tuple(
+        kind
+        for kind in kinds("controllers")
+        if leads_arms(load_kind("controllers", kind).model_construct())
+    )
+
+
+def leads_arms(controller: Controller) -> bool:
+    """Whether a controller is one of an arm."""
+    return hasattr(controller.initial_state(), "report")
+
+
 def is_led(task: ArmTask) -> bool:
     """Whether any of its motions has a controller that leads the chair too."""
     return any(isinstance(controller_of(task, m), LedController) for m in task.motions)
 
 
 def as_published(task: ArmTask, motion: Motion, at: Configuration) -> PlannedMotion:
-    """Give the only way of a controller that does not lead the chair: the hand's path."""
+    """Give the only way of a controller that does not lead the chair: the hand's path.
+
+    Raises NotAnArmController or TooManySteps.
+    """
+    if not leads_arms(controller_of(task, motion)):
+        raise NotAnArmController(controller_of(task, motion).kind, arm_controllers())
     path = motion.path(at.hand, at.base)
     needed = durations(motion, path, at)
     duration = needed.hand if motion.pace == "hand" else needed.longest
@@ -98,7 +123,7 @@ def as_published(task: ArmTask, motion: Motion, at: Configuration) -> PlannedMot
         route = ChairRoute.of_chair(at.body.profile.chair, at.chair, motion.chair_goal.pose)
         way = ChairLead(at.body, route, motion.timing)
     lead = WorldLead(path, motion.timing, way)
-    return PlannedMotion(motion, at, lead, _pace(duration, task.step))
+    return PlannedMotion(motion, at, lead, _pace(motion, duration, task.step))
 
 
 def plan_task(task: ArmTask, advance: Callable[..., None] | None = None) -> Plan:
@@ -107,8 +132,8 @@ def plan_task(task: ArmTask, advance: Callable[..., None] | None = None) -> Plan
     advance : told after each way that was looked at.
     """
     plan = look_for_plan(task, advance)
-    if not plan.motions:
-        raise ImpossibleTask(*plan.refused, CHANGE_IT)
+    if plan.refused is not None:
+        raise ImpossibleTask(plan.refused.motion, plan.refused.answer, CHANGE_IT)
     return plan
 
 
@@ -169,20 +194,18 @@ class _Search:
             done.append(planned._replace(end=at))
         return tuple(done)
 
-    def refused(self) -> tuple[str, str]:
-        """Name the motion that came furthest, and say what stopped it."""
-        if self._nowhere is not None and self._furthest[1] == 0.0:
-            return self._nowhere[0].name, why_none(*self._nowhere)
-        if self._stopped is None:
-            return self.task.motions[0].name, "no way was found to try"
-        return self._stopped.motion.name, why_stopped(self._stopped)
+    def refused(self) -> PoseAnswer:
+        """Say of the motion that came furthest what stopped it."""
+        if self._stopped is not None and (self._nowhere is None or self._furthest[1] > 0.0):
+            return why_stopped(self._stopped)
+        return why_none(*(self._nowhere or (self.task.motions[0], start_of(self.task))))
 
     def _candidates(self, motion: Motion, at: Configuration) -> Iterator[PlannedMotion]:
         if not isinstance(controller_of(self.task, motion), LedController):
             yield as_published(self.task, motion, at)
             return
         for way in ways(motion, at):
-            pace = _pace(way.duration, self.task.step)
+            pace = _pace(motion, way.duration, self.task.step)
             yield PlannedMotion(motion, at, way.lead, pace, way.says)
 
     def _tried(self, planned: PlannedMotion, at: Configuration, coarse: int) -> Outcome:
@@ -218,8 +241,10 @@ def _beyond(off: tuple[float, float], bounds: tuple[float, float], times: float 
     return off[0] > times * bounds[0] or off[1] > times * bounds[1]
 
 
-def _pace(duration: float, step: float) -> Pace:
+def _pace(motion: Motion, duration: float, step: float) -> Pace:
     if duration == 0.0:
         return Pace(0, step)
+    if duration / step > MOST_STEPS:
+        raise TooManySteps(motion.name, duration, step, MOST_STEPS)
     steps = max(1, round(duration / step))
     return Pace(steps, duration / steps)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from omnistudy.arm.check import PoseCheck
+from omnistudy.arm.check import PoseAnswer, PoseCheck
 from omnistudy.arm.configuration import Configuration
 from omnistudy.arm.stand_off import in_words, nearest_stand_off
 from omnistudy.arm.task import Motion
@@ -25,28 +25,33 @@ class Stopped(NamedTuple):
     hits: tuple[str, ...]
 
 
-def why_stopped(stopped: Stopped) -> str:
+def why_stopped(stopped: Stopped) -> PoseAnswer:
     """Say where a way ended before its end, and from where its end could be reached."""
     held = f", held by {' and '.join(stopped.hits)}" if stopped.hits else ""
     way = f"of all ways tried, {stopped.says}" if stopped.says else "the published way"
-    return (
+    end = _end(stopped.motion, stopped.start, stopped.start)
+    why = (
         f"{way} came furthest, and stops after {100 * stopped.share:.0f} % of its time{held}; "
-        f"the hand's goal {_end(stopped.motion, stopped.start, stopped.start)}"
+        f"the hand's goal {end.answer}"
     )
+    return end._replace(possible=False, answer=why)
 
 
-def why_none(motion: Motion, at: Configuration) -> str:
+def why_none(motion: Motion, at: Configuration) -> PoseAnswer:
     """Say that there is no posture to end in, and from where there is one."""
     if motion.chair_goal is None:
-        return f"the hand's goal: {_end(motion, at, at)}"
+        end = _end(motion, at, at)
+        return end._replace(possible=False, answer=f"the hand's goal: {end.answer}")
     there = Configuration(at.body, at.joints, motion.chair_goal.pose)
-    return (
+    end = _end(motion, at, there)
+    why = (
         f"with the chair at its goal, {in_words(there.chair)}, no posture was found that brings "
-        f"the hand to its own clear of all zones; it {_end(motion, at, there)}"
+        f"the hand to its own clear of all zones; it {end.answer}"
     )
+    return end._replace(possible=False, answer=why)
 
 
-def _end(motion: Motion, at: Configuration, near: Configuration) -> str:
+def _end(motion: Motion, at: Configuration, near: Configuration) -> PoseAnswer:
     """Say whether the path's end can be reached, and how near to a place of the chair."""
     goal = motion.path(at.hand, at.base).pose(1.0)
-    return PoseCheck(motion.name, 1.0, nearest_stand_off(near, goal)).answer
+    return PoseCheck(motion.name, 1.0, nearest_stand_off(near, goal)).in_numbers

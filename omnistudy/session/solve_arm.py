@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 from omnistudy.arm.check import check_task, start_of
 from omnistudy.arm.configuration import Configuration
@@ -36,8 +36,9 @@ def solve_task(
     """Run all motions, one after the other; gives every step.
 
     Motions of a controller that leads the chair go as planned, the others as published.
-    advance : told after each motion. plan : when it is known already. Raises ImpossibleStart,
-    UnknownArm, BrokenArmPage, or ImpossibleTask when there is no plan.
+    advance : told after each step which share of its motion that was. plan : when it is known
+    already. Raises ImpossibleStart, TooManySteps, NotAnArmController, UnknownArm, BrokenArmPage, or
+    ImpossibleTask when there is no plan.
     """
     at = start_of(task)
     if plan is None and is_led(task):
@@ -46,34 +47,34 @@ def solve_task(
     t = 0.0
     for index, motion in enumerate(task.motions):
         planned = as_published(task, motion, at) if plan is None else plan.motions[index]
-        done, at, t = _motion(task, planned, at, t)
-        steps.extend(done)
-        if advance is not None:
-            advance()
+        before = 0.0
+        for moment, u in _moments(task, planned, at, t):
+            steps.append(measured(moment))
+            at = moment.configuration
+            if advance is not None:
+                advance(u - before)
+            before = u
+        t = steps[-1].t + planned.pace.dt
     return ArmRun(task.arm, tuple(steps))
 
 
-def _motion(
+def _moments(
     task: ArmTask, planned: PlannedMotion, at: Configuration, began: float
-) -> tuple[list[ArmStep], Configuration, float]:
-    lead, dt = planned.lead, planned.pace.dt
-    direction, driven, t = bearing(lead), 0.0, began
-    steps: list[ArmStep] = []
+) -> Iterator[tuple[Moment, float]]:
+    """Give each step, and the share of the motion's time that it came to."""
+    lead, direction, driven = planned.lead, bearing(planned.lead), 0.0
     controller = controller_of(task, planned.motion)
     for step, done in enumerate(follow(controller, lead, at, planned.pace, task)):
-        at = done.at
         driven += done.drive
-        t = began + step * dt
         moment = Moment(
             motion=planned.motion.name,
             step=step,
-            t=t,
-            configuration=at,
+            t=began + step * planned.pace.dt,
+            configuration=done.at,
             wanted=lead.hand(done.u),
             wanted_chair=lead.chair(done.u),
             driven=driven,
             bearing=direction,
             report=done.report,
         )
-        steps.append(measured(moment))
-    return steps, at, t + dt
+        yield moment, done.u

@@ -109,6 +109,8 @@ def test_what_cannot_be_done_is_refused_and_nothing_is_written(
     assert run(monkeypatch, "check", high, "--json") == 1
     (answer,) = json.loads(capsys.readouterr().out)
     assert answer["possible"] is False
+    assert 1.0 < answer["short"] < 2.5
+    assert len(answer["chair"]) == 3
 
 
 def test_a_check_says_from_where(

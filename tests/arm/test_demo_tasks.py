@@ -91,34 +91,52 @@ def test_the_chair_comes_nowhere_near_a_goal_of_its_own(
     assert millimetres(found.chair_error) == pytest.approx(off_mm, abs=1.0)
 
 
-def mended(name: str) -> ArmTask:
-    """The same task with one characteristic length in its damping, all else as published."""
+def changed(name: str, **parameters: object) -> ArmTask:
+    """The same task with something else in every controller that it names."""
     task = load_task(name)
-    changed = {"damping": "scaled"}
-    return task.model_copy(
-        update={
-            "controller": task.controller.model_copy(update=changed),
-            "motions": tuple(
-                m.model_copy(update={"controller": m.controller.model_copy(update=changed)})
-                if m.controller
-                else m
-                for m in task.motions
-            ),
-        }
+    motions = tuple(
+        motion.model_copy(update={"controller": motion.controller.model_copy(update=parameters)})
+        if motion.controller
+        else motion
+        for motion in task.motions
     )
+    controller = task.controller.model_copy(update=parameters)
+    return task.model_copy(update={"controller": controller, "motions": motions})
 
 
 def test_one_unit_for_all_rows_mends_reach() -> None:
-    (found,) = summaries(solve_task(mended("reach")))
+    (found,) = summaries(solve_task(changed("reach", damping="scaled")))
     assert millimetres(found.worst_error) == pytest.approx(0.026, abs=0.001)
 
 
 @pytest.mark.parametrize("task", ["door_left", "door_left_following"])
 def test_and_the_turn_of_the_left_door_though_clipping_still_bends_its_path(task: str) -> None:
-    _, found = summaries(solve_task(mended(task)))
+    _, found = summaries(solve_task(changed(task, damping="scaled")))
     assert degrees(found.final_turn) < 0.005
     assert degrees(found.worst_turn) < 1.2
     assert 12.0 < millimetres(found.worst_error) < 56.0
+
+
+@pytest.mark.parametrize(("damping", "final_deg"), [("legacy", 173.1), ("scaled", 0.0)])
+def test_the_right_door_from_the_ready_posture(damping: str, final_deg: float) -> None:
+    task = changed("door_right_following", damping=damping)
+    (found,) = summaries(solve_task(task.model_copy(update={"motions": task.motions[1:]})))
+    assert degrees(found.final_turn) == pytest.approx(final_deg, abs=0.05)
+
+
+def test_the_listings_own_memory_of_limits_strays_twice_as_far() -> None:
+    # the numbers of all other tests here are of the lab's program of 2010, which mended this
+    (found,) = summaries(solve_task(changed("reach", limit_memory="legacy")))
+    assert millimetres(found.worst_error) == pytest.approx(70.4, abs=0.1)
+    assert degrees(found.worst_turn) == pytest.approx(2.98, abs=0.01)
+
+
+@pytest.mark.parametrize("task", ["reach", "door_right", "example"])
+def test_equation_22_taken_literally_loses_the_hand_too(task: str) -> None:
+    page = changed(task, chair_weights={"kind": "staged", "normalised": False})
+    (found,) = summaries(solve_task(page.model_copy(update={"motions": page.motions[:1]})))
+    assert 0.4 < found.final_error < 1.3
+    assert found.chair_error > 0.9
 
 
 @pytest.mark.parametrize(

@@ -16,6 +16,7 @@ from omnistudy.controllers.sri_wln import SriWln
 from omnistudy.errors.arm import BrokenArmPage, UnknownArmTask
 from omnistudy.geometry.rigid_motion import rotation, transform
 
+WMRA1 = Path(__file__).parents[2] / "conf" / "arm" / "wmra1.yaml"
 HAND = transform(rotation(np.array((0.0, 0.0, 1.0)), pi / 2), np.array((1.0, 2.0, 0.9)))
 BASE = transform(np.eye(3), np.array((0.5, 0.0, 0.35)))
 
@@ -133,7 +134,7 @@ def test_a_task_that_is_not_there() -> None:
 
 
 def test_the_labs_folder_comes_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    text = Path("conf/arm/wmra1.yaml").read_text(encoding="utf-8")
+    text = WMRA1.read_text(encoding="utf-8")
     (tmp_path / "arm").mkdir()
     (tmp_path / "arm" / "ours.yaml").write_text(text.replace("name: wmra1", "name: ours"))
     monkeypatch.setenv("OMNISTUDY_CONF", str(tmp_path))

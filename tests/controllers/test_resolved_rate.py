@@ -295,6 +295,11 @@ def test_a_slide_is_never_faster_than_the_joints() -> None:
 def test_the_intent_is_what_the_device_says_and_no_law_damps_it() -> None:
     control = step(law("sri_wln"), configuration(), AHEAD)
     assert control.intent == tuple(AHEAD)
+    # where the chair should end is no command: a hand that asks for nothing is at rest
+    resting = Guidance(np.zeros(6), 0.5, PlanarPose(1.0, 2.0, 3.0)).numbers
+    device = DeviceState(resting, (0.0,) * 10)
+    at_rest = law("sri_wln").control(device, ArmState(configuration()), None, RateMemory(), DT)
+    assert not any(at_rest.intent)
     assert law("sri_wln").twist_per_stick == ZERO_MATRIX
 
 

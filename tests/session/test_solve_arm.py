@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from math import degrees, isnan, pi, radians
+from math import isnan, pi, radians
 from typing import Any
 
 import numpy as np
@@ -11,7 +11,13 @@ import pytest
 
 from omnistudy.arm.run import ArmRun, MotionSummary, summaries
 from omnistudy.arm.task import ArmTask
-from omnistudy.errors.arm import ImpossibleStart, ImpossibleTask
+from omnistudy.errors.arm import (
+    ImpossibleStart,
+    ImpossibleTask,
+    NotAnArmController,
+    TooManySteps,
+)
+from omnistudy.session.plan_arm import arm_controllers
 from omnistudy.session.solve_arm import refuse_impossible, solve_task
 
 KINDS = ("sri_wln", "pi_wln", "sri_ene", "pi_ene")
@@ -217,4 +223,26 @@ def test_the_three_stages_do_not_bring_the_chair_to_its_goal() -> None:
     )
     _, summary = run(page)
     assert summary.chair_error > 0.3
-    assert degrees(summary.chair_turn) > 3.0
+
+
+def test_a_motion_that_would_never_end_is_refused() -> None:
+    page = task({"frame": "gripper", "position": [0, 0, 0.1]}, speed=1e-6, pace="hand")
+    with pytest.raises(TooManySteps, match="motion 'it' would take 100000 s, which is 2000000"):
+        solve_task(page)
+
+
+def test_a_controller_of_the_floor_leads_no_arm() -> None:
+    page = task({}).model_copy(update={"controller": {"kind": "rate"}})
+    with pytest.raises(
+        NotAnArmController, match="'rate' leads no arm: those that do are dual_qp, pi_ene"
+    ):
+        solve_task(page)
+    assert {*KINDS} <= {*arm_controllers()}
+    assert "rate" not in arm_controllers()
+
+
+def test_progress_adds_up_to_the_motions() -> None:
+    told: list[float] = []
+    page = task({"frame": "gripper", "position": [0, 0, 0.05]})
+    solve_task(page, told.append)
+    assert sum(told) == pytest.approx(1.0)
