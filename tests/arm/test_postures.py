@@ -70,6 +70,8 @@ def test_a_way_round_the_zones_is_clear_all_along(
         for share in np.linspace(0.05, 1.0, 20):
             frames = wmra1.frames(begin + share * (end - begin))
             assert wmra1.zones.intrusions(frames).names == ()
+    back = detour(wmra1, goal, ready)
+    assert (back[0].tolist(), back[-1].tolist()) == (goal.tolist(), ready.tolist())
     again = detour(wmra1, ready, goal)
     assert all((a == b).all() for a, b in zip(way, again, strict=True))
 
