@@ -20,6 +20,7 @@ WHEELS = ("wheel_front_left", "wheel_front_right", "wheel_rear_left", "wheel_rea
 
 CHASSIS_HEIGHT = 0.1
 CHASSIS_HALF_HEIGHT = 0.05
+CHASSIS_COLOUR = "#edb40e"
 WHEEL_WIDTH = 0.05
 WHEEL_PROUD = 0.002
 """Wheels stand out of the chassis by this, so that it is a wheel that rubs along a wall, in m."""
@@ -55,6 +56,11 @@ class MecanumBase(Plant):
         return hypot(self.half_length, self.half_width)
 
     @property
+    def footprint(self) -> tuple[float, float]:
+        """Half length and half width, m."""
+        return self.half_length, self.half_width
+
+    @property
     def axles(self) -> tuple[tuple[float, float], ...]:
         """Where the wheels' middles are, (x, y) in m in the robot's frame, as WHEELS names them."""
         ahead, aside = self.half_length - WHEEL_INSET, self.half_width - 0.5 * WHEEL_WIDTH
@@ -62,15 +68,15 @@ class MecanumBase(Plant):
 
     @property
     def links(self) -> tuple[Link, ...]:
-        """The chassis and four wheels, whose rollers lie as an X seen from above."""
-        chassis = Box(
-            x=2.0 * self.half_length,
-            y=2.0 * (self.half_width - WHEEL_PROUD),
-            z=2.0 * CHASSIS_HALF_HEIGHT,
-        )
+        """The chassis, open at the wheels, and the wheels: their rollers lie as an X from above."""
+        height, side = 2.0 * CHASSIS_HALF_HEIGHT, self.half_width - WHEEL_PROUD
+        between = self.axles[0][0] - self.wheel_radius
+        chassis = Box(x=2.0 * self.half_length, y=2.0 * (side - WHEEL_WIDTH), z=height)
+        flanks = Box(x=2.0 * between, y=2.0 * side, z=height)
         tyre = Cylinder(radius=self.wheel_radius, length=WHEEL_WIDTH)
         return (
-            Link(name="chassis", geometry=chassis, z=CHASSIS_HEIGHT, colour="#e07b1a"),
+            Link(name="chassis", geometry=chassis, z=CHASSIS_HEIGHT, colour=CHASSIS_COLOUR),
+            Link(name="flanks", geometry=flanks, z=CHASSIS_HEIGHT, colour=CHASSIS_COLOUR),
             *(
                 Link(
                     name=name,

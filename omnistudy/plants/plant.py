@@ -36,6 +36,11 @@ class Plant(KindModel, ABC):
         return self.width / sqrt(2.0)
 
     @property
+    def footprint(self) -> tuple[float, float]:
+        """Half length and half width in m of its outline on the floor; a square unless given."""
+        return 0.5 * self.width, 0.5 * self.width
+
+    @property
     def links(self) -> tuple[Link, ...]:
         """What is seen of it, parents before children; one plain block unless given."""
         block = Box(x=self.width, y=self.width, z=PLAIN_HEIGHT)

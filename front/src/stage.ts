@@ -1,0 +1,181 @@
+/** One canvas: a world, a robot in it, light, and a camera. */
+
+import {
+  CircleGeometry, Color, ConeGeometry, CylinderGeometry, DirectionalLight, DoubleSide, Fog, Group,
+  HemisphereLight, Mesh, MeshBasicMaterial, Object3D, OrthographicCamera, PCFShadowMap,
+  PerspectiveCamera, Scene, Vector3, WebGLRenderer, ACESFilmicToneMapping, type Camera,
+} from "three";
+import { COLLISION } from "./colours";
+import type { Moment, Setting } from "./film";
+import { Forces, Robot, Trail } from "./robot";
+import { World } from "./world";
+
+export type View = "follow" | "plan" | "first";
+export const VIEWS: View[] = ["follow", "plan", "first"];
+
+/** What a person at the robot sees: height and angle of view. */
+export interface Eye { height: number; ahead: number; field_of_view: number }
+export const EYE: Eye = { height: 0.75, ahead: -0.1, field_of_view: 70 };
+
+const SKY = "#dfe7ee";
+Object3D.DEFAULT_UP.set(0, 0, 1);
+
+export class NoWebGL extends Error {}
+
+export class Stage {
+  readonly forces = new Forces();
+  readonly trail: Trail;
+  view: View = "follow";
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly world: World;
+  private readonly robot: Robot;
+  private readonly sun = new DirectionalLight("#fff1d6", 2.0);
+  private readonly perspective = new PerspectiveCamera(50, 1, 0.05, 80);
+  private readonly plan = new OrthographicCamera(-1, 1, 1, -1, 0.1, 60);
+  private readonly cue = beacon();
+  private readonly fog = new Fog(SKY, 14, 45);
+
+  constructor(
+    private readonly canvas: HTMLCanvasElement, setting: Setting, capacity: number,
+    private readonly eye: Eye = EYE,
+  ) {
+    this.renderer = rendererOn(canvas);
+    this.world = new World(setting.scene);
+    this.robot = new Robot(setting);
+    this.trail = new Trail(capacity);
+    this.scene.background = new Color(SKY);
+    this.scene.add(new HemisphereLight("#f6f9ff", "#d8cfbe", 2.3), this.sun, this.sun.target);
+    this.scene.add(
+      this.world.group, this.robot.group, this.forces.group, this.trail.mesh, this.cue,
+    );
+    this.sun.castShadow = true;
+    this.sun.shadow.mapSize.set(2048, 2048);
+    this.sun.shadow.bias = -0.0006;
+    this.sun.shadow.normalBias = 0.01;
+    new ResizeObserver(() => this.fit()).observe(canvas);
+    this.fit();
+  }
+
+  /** Mark places of collisions on the floor. */
+  mark(places: [number, number][]): void {
+    const material = new MeshBasicMaterial({ color: COLLISION });
+    for (const [x, y] of places) {
+      const dot = new Mesh(new CircleGeometry(0.06, 20), material);
+      dot.position.set(x, y, 0.009);
+      this.scene.add(dot);
+    }
+  }
+
+  /** Put everything where it is at an instant, and draw. `heading` is where the camera looks. */
+  draw(moment: Moment, target: string | null, heading = moment.theta): void {
+    this.world.show(moment);
+    this.robot.show(moment);
+    this.forces.show(moment);
+    this.pointTo(target, moment.t);
+    this.robot.group.visible = this.view !== "first";
+    this.scene.fog = this.view === "plan" ? null : this.fog;
+    this.light(moment);
+    this.renderer.render(this.scene, this.aim(moment, heading));
+  }
+
+  /** Say how fast drawing must be: a slow machine gets fewer pixels. */
+  coarsen(ratio: number): void {
+    this.renderer.setPixelRatio(ratio);
+    this.fit();
+  }
+
+  private aim(moment: Moment, heading: number): Camera {
+    const { x, y } = moment;
+    const [c, s] = [Math.cos(heading), Math.sin(heading)];
+    const camera = this.perspective;
+    if (this.view === "plan") return this.plan;
+    if (this.view === "first") {
+      const [cc, ss] = [Math.cos(moment.theta), Math.sin(moment.theta)];
+      camera.fov = this.eye.field_of_view;
+      camera.position.set(x + this.eye.ahead * cc, y + this.eye.ahead * ss, this.eye.height);
+      camera.lookAt(x + 3 * cc, y + 3 * ss, 0.35);
+    } else {
+      camera.fov = 50;
+      camera.position.set(x - 1.55 * c, y - 1.55 * s, 1.95);
+      camera.lookAt(x + 0.5 * c, y + 0.5 * s, 0.12);
+    }
+    camera.updateProjectionMatrix();
+    return camera;
+  }
+
+  private light({ x, y }: Moment): void {
+    const { west, east, south, north } = this.world.extent;
+    const whole = this.view === "plan";
+    const middle = whole ? [(west + east) / 2, (south + north) / 2] : [x, y];
+    const half = whole ? Math.max(east - west, north - south) / 2 + 1 : 7;
+    this.sun.target.position.set(middle[0]!, middle[1]!, 0);
+    const lean = whole ? 0.3 : 1;
+    this.sun.position.set(middle[0]! - 3 * lean, middle[1]! - 4.5 * lean, 11);
+    const camera = this.sun.shadow.camera;
+    if (camera.right !== half) {
+      camera.left = camera.bottom = -half;
+      camera.right = camera.top = half;
+      camera.far = 60;
+      camera.updateProjectionMatrix();
+    }
+  }
+
+  private pointTo(target: string | null, t: number): void {
+    const block = target === null ? undefined : this.world.block(target);
+    this.cue.visible = block !== undefined;
+    if (!block) return;
+    this.cue.position.set(block.position.x, block.position.y, 0);
+    this.cue.children[0]!.position.z = 1.15 + 0.07 * Math.sin(3 * t);
+    const tint = (block.material as MeshBasicMaterial).color;
+    for (const part of this.cue.children) ((part as Mesh).material as MeshBasicMaterial).color.copy(tint);
+  }
+
+  private fit(): void {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    if (!width || !height) return;
+    this.renderer.setSize(width, height, false);
+    this.perspective.aspect = width / height;
+    const { west, east, south, north } = this.world.extent;
+    const half = Math.max((north - south) / 2 + 0.5, ((east - west) / 2 + 0.5) / (width / height));
+    this.plan.top = half;
+    this.plan.bottom = -half;
+    this.plan.right = (half * width) / height;
+    this.plan.left = -this.plan.right;
+    const middle = new Vector3((west + east) / 2, (south + north) / 2, 0);
+    this.plan.position.copy(middle).setZ(30);
+    this.plan.up.set(0, 1, 0);
+    this.plan.lookAt(middle);
+    this.plan.updateProjectionMatrix();
+  }
+}
+
+function rendererOn(canvas: HTMLCanvasElement): WebGLRenderer {
+  let renderer: WebGLRenderer;
+  try {
+    renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+  } catch (cause) {
+    throw new NoWebGL("no WebGL", { cause });
+  }
+  renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+  renderer.shadowMap.enabled = true;
+  renderer.shadowMap.type = PCFShadowMap;
+  renderer.toneMapping = ACESFilmicToneMapping;
+  renderer.toneMappingExposure = 0.95;
+  return renderer;
+}
+
+/** What hangs over the block to be reached: a pointer and a column of light. */
+function beacon(): Group {
+  const group = new Group();
+  const cone = new Mesh(new ConeGeometry(0.14, 0.3, 24), new MeshBasicMaterial());
+  cone.rotation.x = -Math.PI / 2;
+  const column = new Mesh(
+    new CylinderGeometry(0.17, 0.17, 1.0, 32, 1, true),
+    new MeshBasicMaterial({ transparent: true, opacity: 0.22, side: DoubleSide, depthWrite: false }),
+  );
+  column.rotation.x = Math.PI / 2;
+  column.position.z = 0.5;
+  group.add(cone, column);
+  return group;
+}
