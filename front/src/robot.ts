@@ -150,9 +150,10 @@ class Arrow {
   private readonly head: Mesh;
 
   constructor(colour: string, private readonly thickness: number) {
-    const material = new MeshBasicMaterial({ color: colour });
+    const material = new MeshBasicMaterial({ color: colour, depthTest: false, transparent: true });
     this.shaft = new Mesh(new CylinderGeometry(thickness, thickness, 1, 12), material);
     this.head = new Mesh(new CylinderGeometry(0, 2.6 * thickness, 6 * thickness, 16), material);
+    this.shaft.renderOrder = this.head.renderOrder = 5;
     this.group.add(this.shaft, this.head);
   }
 

@@ -10,7 +10,7 @@ import subprocess
 import time
 from base64 import b64decode
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -108,11 +108,10 @@ class Tab:
 class Browser:
     """A running Chromium with tabs."""
 
-    def __init__(self, address: str) -> None:
+    def __init__(self, address: str, connections: ExitStack) -> None:
         self._address = address
-        self._open: list[ClientConnection] = []
-        self._main = self._connected(address)
-        self._control = Tab(self._main)
+        self._connections = connections
+        self._control = Tab(self._connected(address))
 
     def tab(self, width: int = 1280, height: int = 800) -> Tab:
         """Open a tab of a size in pixels."""
@@ -125,14 +124,7 @@ class Browser:
         return tab
 
     def _connected(self, address: str) -> ClientConnection:
-        connection = connect(address, max_size=None, proxy=None)
-        self._open.append(connection)
-        return connection
-
-    def close(self) -> None:
-        """Let go of all tabs."""
-        for connection in self._open:
-            connection.close()
+        return self._connections.enter_context(connect(address, max_size=None, proxy=None))
 
 
 @contextmanager
@@ -148,9 +140,8 @@ def browser(flags: tuple[str, ...] = FLAGS) -> Iterator[Browser]:
         with log.open("wb") as written:
             process = subprocess.Popen(command, stderr=written, stdout=subprocess.DEVNULL)
         try:
-            running = Browser(_address(process, log))
-            yield running
-            running.close()
+            with ExitStack() as connections:
+                yield Browser(_address(process, log), connections)
         finally:
             process.terminate()
             process.wait()
