@@ -1,6 +1,17 @@
+import { readFileSync } from "node:fs";
 import { defineConfig } from "vite";
 
+/** The licence of what is built in goes where it goes. */
+const licence = {
+  name: "licence",
+  generateBundle() {
+    const source = readFileSync("node_modules/three/LICENSE", "utf8");
+    this.emitFile({ type: "asset", fileName: "three-licence.txt", source });
+  },
+};
+
 export default defineConfig({
+  plugins: [licence],
   build: {
     outDir: "../omnistudy/view/built",
     emptyOutDir: true,
@@ -13,6 +24,7 @@ export default defineConfig({
         entryFileNames: "view.js",
         assetFileNames: "view[extname]",
         codeSplitting: false,
+        postBanner: "/*! Holds three.js, copyright three.js authors, MIT licence. */",
       },
     },
   },

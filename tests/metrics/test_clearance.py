@@ -44,9 +44,7 @@ def test_a_round_post_is_its_radius_nearer() -> None:
 
 
 def test_only_walls_count_and_the_nearest_does() -> None:
-    block = Body(
-        name="red", role="target", geometry=Box(x=0.2, y=0.2, z=0.1), x=0.5, y=0.0, z=0.05
-    )
+    block = Body(name="red", role="target", geometry=Box(x=0.2, y=0.2, z=0.1), x=0.5, y=0.0, z=0.05)
     assert gaps([block], (0.0, 0.0, 0.0)) == [inf]
     nearer = WALL.model_copy(update={"y": -0.5})
     assert gaps([WALL, nearer, block], (0.0, 0.0, 0.0)) == pytest.approx([0.45 - 0.2])

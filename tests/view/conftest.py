@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import shutil
+import subprocess
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -18,6 +20,7 @@ SHORT = (
     "participants.count=1",
     "order.block_length=1",
 )
+FRONT = Path(__file__).parents[2] / "front"
 RUN = 2
 """Trials that were run; the third and those after it are planned."""
 
@@ -36,3 +39,15 @@ def chromium(requires_program: Callable[[str, str], str]) -> Iterator[Browser]:
     requires_program("chromium", "chromium")
     with browser() as running:
         yield running
+
+
+@pytest.fixture(scope="session")
+def front(
+    tmp_path_factory: pytest.TempPathFactory, requires_program: Callable[[str, str], str]
+) -> Path:
+    """Give a copy of the browser's side with its packages installed as its lock says."""
+    npm = requires_program("npm", "nodejs 20 and npm")
+    copy = tmp_path_factory.mktemp("checkout") / "front"
+    shutil.copytree(FRONT, copy, ignore=shutil.ignore_patterns("node_modules"))
+    subprocess.run([npm, "ci", "--no-progress"], cwd=copy, check=True, capture_output=True)
+    return copy

@@ -1,0 +1,31 @@
+"""Every page passes axe and works by keyboard alone."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from view.axe import complaints
+
+import omnistudy
+from omnistudy.view.chromium import Browser
+from omnistudy.view.film import film
+from omnistudy.view.page import replay_page, write_page
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing_on_the_replay(
+    chromium: Browser, front: Path, driven_study: Path, tmp_path: Path, scheme: str
+) -> None:
+    page = tmp_path / "trial.html"
+    with omnistudy.open(driven_study) as study:
+        write_page(replay_page([film(study, 1), film(study, 2)]), page)
+    tab = chromium.tab()
+    tab.ask(
+        "Emulation.setEmulatedMedia",
+        features=[{"name": "prefers-color-scheme", "value": scheme}],
+    )
+    tab.open(f"{page.as_uri()}#t=5")
+    tab.wait_for("window.replay !== undefined")
+    assert complaints(tab, front) == []
