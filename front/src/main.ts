@@ -3,9 +3,14 @@
 import "./view.css";
 import { replay } from "./replay";
 import { NoWebGL } from "./stage";
+import { trials } from "./trials";
 import { say } from "./words";
 
-const PAGES: { [page: string]: (content: never) => void } = { replay };
+const PAGES: { [page: string]: (content: never) => void } = { replay, trials, saying };
+
+function saying({ title, text }: { title: string; text: string }): void {
+  document.body.append(say(title, text));
+}
 
 try {
   const content = JSON.parse(document.getElementById("content")!.textContent!) as never;

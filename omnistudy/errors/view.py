@@ -93,3 +93,13 @@ class TooManyTrials(OmnistudyError):
 
     def __init__(self, given: int) -> None:
         super().__init__(f"{given} trials were given: a page shows one, or two side by side")
+
+
+class AddressTaken(OmnistudyError):
+    """A server that may not listen where it was told to."""
+
+    def __init__(self, host: str, port: int, cause: str) -> None:
+        super().__init__(
+            f"nothing can be served at {host}, port {port} ({cause}): give another --port, or 0 "
+            "for a free one, and a --host that is this machine's"
+        )

@@ -14,6 +14,7 @@ from pydantic_core import to_json
 from omnistudy.errors.view import NoFolderForPage, PageExists
 from omnistudy.version import VERSION
 from omnistudy.view.film import Film
+from omnistudy.view.trials import TrialList
 
 GENERATOR = "omnistudy replay"
 MARK = f'name="generator" content="{GENERATOR}'
@@ -26,6 +27,16 @@ def replay_page(films: Sequence[Film]) -> str:
     numbers = " and ".join(str(film.trial) for film in films)
     title = f"{films[0].study}, trial {numbers}"
     return page_text("replay", title, [film.model_dump() for film in films])
+
+
+def trials_page(trials: TrialList) -> str:
+    """Give the page that lists a study's trials."""
+    return page_text("trials", trials.study, trials.model_dump())
+
+
+def saying_page(title: str, text: str) -> str:
+    """Give a page that has only something to say."""
+    return page_text("saying", title, {"title": title, "text": text})
 
 
 def page_text(kind: str, title: str, content: object) -> str:
