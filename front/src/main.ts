@@ -1,12 +1,14 @@
 /** The entrance of every page: `data-page` says which one it is. */
 
 import "./view.css";
+import { monitor } from "./monitor";
+import { participant } from "./participant";
 import { replay } from "./replay";
 import { NoWebGL } from "./stage";
 import { trials } from "./trials";
 import { say } from "./words";
 
-const PAGES: { [page: string]: (content: never) => void } = { replay, trials, saying };
+const PAGES: { [page: string]: (content: never) => void } = { replay, trials, saying, participant, monitor };
 
 function saying({ title, text }: { title: string; text: string }): void {
   document.body.append(say(title, text));

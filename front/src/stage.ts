@@ -34,6 +34,7 @@ export class Stage {
   private readonly perspective = new PerspectiveCamera(50, 1, 0.05, 80);
   private readonly plan = new OrthographicCamera(-1, 1, 1, -1, 0.1, 60);
   private readonly cue = beacon();
+  private readonly robotFrame = new Group();
   private readonly fog = new Fog(SKY, 14, 45);
 
   constructor(
@@ -48,6 +49,7 @@ export class Stage {
     this.scene.add(new HemisphereLight("#f6f9ff", "#d8cfbe", 2.3), this.sun, this.sun.target);
     this.scene.add(
       this.world.group, this.robot.group, this.forces.group, this.trail.mesh, this.cue,
+      this.robotFrame,
     );
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(2048, 2048);
@@ -67,16 +69,28 @@ export class Stage {
     }
   }
 
+  /** Take the canvas back from a stage that is not needed any more. */
+  close(): void {
+    this.renderer.dispose();
+  }
+
   /** Put everything where it is at an instant, and draw. `heading` is where the camera looks. */
   draw(moment: Moment, target: string | null, heading = moment.theta): void {
     this.world.show(moment);
     this.robot.show(moment);
     this.forces.show(moment);
+    this.robotFrame.position.set(moment.x, moment.y, 0);
+    this.robotFrame.rotation.z = moment.theta;
     this.pointTo(target, moment.t);
     this.robot.group.visible = this.view !== "first";
     this.scene.fog = this.view === "plan" ? null : this.fog;
     this.light(moment);
     this.renderer.render(this.scene, this.aim(moment, heading));
+  }
+
+  /** Hang something of one's own on the robot. */
+  onRobot(thing: Object3D): void {
+    this.robotFrame.add(thing);
   }
 
   /** Say how fast drawing must be: a slow machine gets fewer pixels. */

@@ -103,3 +103,23 @@ class AddressTaken(OmnistudyError):
             f"nothing can be served at {host}, port {port} ({cause}): give another --port, or 0 "
             "for a free one, and a --host that is this machine's"
         )
+
+
+class ServerFailed(OmnistudyError):
+    """The server of a live session's pages did not start."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "the server of the pages did not start: try `omnistudy view STUDY`, which says why"
+        )
+
+
+class NoScreenSentences(OmnistudyError):
+    """A participant's screen in a language whose sentences the study does not hold."""
+
+    def __init__(self, study: Path, language: str) -> None:
+        super().__init__(
+            f"the protocol of '{study}' holds no sentences for the participant's screen in "
+            f"language '{language}': create the study anew with messages.screen, as "
+            "conf/messages/en.yaml has it"
+        )

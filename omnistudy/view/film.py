@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from omnistudy.channel import SAMPLE_CHANNELS, Channel, Event
 from omnistudy.errors.view import NothingToShow
 from omnistudy.metrics.clearance import clearance
-from omnistudy.protocol import Protocol
+from omnistudy.protocol import Setup
 from omnistudy.registry import Model
 from omnistudy.scene import Link, Scene
 from omnistudy.store.study_file import StudyFile
@@ -34,7 +34,16 @@ class Series(Model):
     data: str
 
 
-class Film(Model):
+class Setting(Model):
+    """What a robot is shown in: the world, the way, the robot's looks; lengths in m."""
+
+    scene: Scene
+    legs: tuple[Leg, ...]
+    links: tuple[Link, ...]
+    footprint: tuple[float, float]
+
+
+class Film(Setting):
     """One trial to be looked at; times in s since it opened, lengths in m.
 
     `series` has "t" and every channel that was recorded at the sample rate.
@@ -50,10 +59,6 @@ class Film(Model):
     end: float
     duration_s: float | None
     collisions: int | None
-    scene: Scene
-    legs: tuple[Leg, ...]
-    links: tuple[Link, ...]
-    footprint: tuple[float, float]
     series: tuple[Series, ...]
     events: tuple[Event, ...]
     captions: tuple[Caption, ...]
@@ -84,10 +89,7 @@ def film(study: StudyFile, trial: int) -> Film:
         end=end,
         duration_s=_number(row["duration_s"]),
         collisions=_count(row["collisions"]),
-        scene=setup.world.scene,
-        legs=_legs(protocol, row),
-        links=setup.plant.links,
-        footprint=setup.plant.footprint,
+        **dict(setting_of(setup, row["route"])),
         series=(
             _series(Channel("t", "s", "since the trial opened"), times),
             *(_series(channel, values) for channel, values in recorded.items()),
@@ -97,14 +99,21 @@ def film(study: StudyFile, trial: int) -> Film:
     )
 
 
+def setting_of(setup: Setup, route: str) -> Setting:
+    """Give what the trials of a set-up on a route are shown in."""
+    routes = (one.legs for one in setup.world.routes if one.name == route)
+    return Setting(
+        scene=setup.world.scene,
+        legs=next(routes, ()),
+        links=setup.plant.links,
+        footprint=setup.plant.footprint,
+    )
+
+
 def _row(study: StudyFile, trial: int) -> Mapping[str, Any]:
     trials = study.trials()
     found = trials[trials["trial"] == trial].to_dict("records")
     return {str(name): value for name, value in found[0].items()}
-
-
-def _legs(protocol: Protocol, row: Mapping[str, Any]) -> tuple[Leg, ...]:
-    return protocol.setup_for(row["condition"]).world.route(row["route"]).legs
 
 
 def _streamed(study: StudyFile, trial: int, rows: int) -> Iterator[tuple[Channel, Floats]]:

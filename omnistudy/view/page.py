@@ -8,6 +8,7 @@ from html import escape
 from importlib.resources import files
 from pathlib import Path
 from string import Template
+from typing import Literal
 
 from pydantic_core import to_json
 
@@ -32,6 +33,11 @@ def replay_page(films: Sequence[Film]) -> str:
 def trials_page(trials: TrialList) -> str:
     """Give the page that lists a study's trials."""
     return page_text("trials", trials.study, trials.model_dump())
+
+
+def live_page(kind: Literal["participant", "monitor"], title: str, content: object) -> str:
+    """Give a page of a live trial."""
+    return page_text(kind, title, content)
 
 
 def saying_page(title: str, text: str) -> str:

@@ -21,14 +21,19 @@ from omnistudy.store import open_study
 from omnistudy.view.access import LOOPBACK, Access
 from omnistudy.view.film import film
 from omnistudy.view.guard import HEADERS, Guard
+from omnistudy.view.live_pages import LivePages
 from omnistudy.view.page import replay_page, saying_page, trials_page
 from omnistudy.view.trials import trial_list
 
 STATUSES: dict[type[OmnistudyError], int] = {NoSuchTrial: 404, NothingToShow: 404, StudyBusy: 503}
 
 
-def application(study: Path, access: Access) -> Starlette:
-    """Give the pages of a study as an application."""
+def application(study: Path, access: Access, answering: bool = False) -> Starlette:
+    """Give the pages of a study as an application.
+
+    answering : what pages of a live trial answer is told to the session.
+    """
+    live = LivePages(study, answering)
 
     def trials(request: Request) -> HTMLResponse:
         with open_study(study) as opened:
@@ -45,6 +50,7 @@ def application(study: Path, access: Access) -> Starlette:
             Route("/", trials),
             Route("/trial/{trial:int}", replay),
             Route("/trial/{trial:int}/{beside:int}", replay),
+            *live.routes,
         ],
         middleware=[Middleware(Guard, access=access)],
         exception_handlers={OmnistudyError: _told, 404: _nowhere},
@@ -57,6 +63,7 @@ def serve(
     host: str = LOOPBACK[0],
     port: int = 0,
     token: str | None = None,
+    answering: bool = False,
     ready: Callable[[str], object],
 ) -> None:
     """Serve a study's pages until interrupted; `ready` is told their address, with the token.
@@ -72,7 +79,7 @@ def serve(
         raise AddressTaken(host, port, refused.strerror or str(refused)) from refused
     hosts = LOOPBACK if host in LOOPBACK else (*LOOPBACK, host)
     config = uvicorn.Config(
-        application(study, Access(chosen, hosts)), log_level="warning", access_log=False
+        application(study, Access(chosen, hosts), answering), log_level="warning", access_log=False
     )
     with listening:
         ready(f"http://{host}:{listening.getsockname()[1]}/?token={chosen}")
