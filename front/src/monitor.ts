@@ -114,7 +114,7 @@ class MonitorPage {
 
   private open(setting: LiveSetting): void {
     this.stage?.close();
-    this.stage = new Stage(this.canvas, setting, CAPACITY);
+    this.stage = new Stage(this.canvas, setting, CAPACITY, false);
     this.stage.view = this.view;
     this.sensed = new Sensed(setting.boundary);
     this.stage.onRobot(this.sensed.group);

@@ -55,7 +55,7 @@ class ParticipantPage {
   private open(setting: LiveSetting): void {
     try {
       this.stage?.close();
-      this.stage = new Stage(this.canvas, setting, 1);
+      this.stage = new Stage(this.canvas, setting, 1, false);
     } catch (fault) {
       if (!(fault instanceof NoWebGL)) throw fault;
       document.body.replaceChildren(say(this.screen.no_picture, ""));

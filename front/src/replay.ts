@@ -7,6 +7,8 @@ import { Stage, VIEWS, type View } from "./stage";
 
 const VIEW_NAMES: { [view in View]: string } = { follow: "Follow", plan: "Plan", first: "First person" };
 const SPEEDS = [0.25, 0.5, 1, 2, 4, 8];
+const FINE = new URLSearchParams(location.hash.slice(1)).has("fine");
+/** Asked for where a picture counts more than speed. */
 const LOOK_ROUND = 1.2;
 /** s over which the following camera evens out the robot's heading. */
 
@@ -35,7 +37,7 @@ class Reel {
         ...(film.virtual ? [make("p", { class: "mark" }, "virtual participant")] : [])),
       make("div", { class: "seen" }, scene, this.message, this.count),
       plot);
-    this.stage = new Stage(scene, film, this.record.t.length);
+    this.stage = new Stage(scene, film, this.record.t.length, FINE);
     this.plots = new Plots(plot, film, this.record, end);
     const [x, y] = [this.record.of("x"), this.record.of("y")];
     x.forEach((at, i) => this.stage.trail.add(at, y[i]!));

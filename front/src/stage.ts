@@ -17,6 +17,8 @@ export const VIEWS: View[] = ["follow", "plan", "first"];
 export interface Eye { height: number; ahead: number; field_of_view: number }
 export const EYE: Eye = { height: 0.75, ahead: -0.1, field_of_view: 70 };
 
+const LIT = 8;
+/** m to each side of the robot that have shadows, where the world is larger than that. */
 const SKY = "#dfe7ee";
 Object3D.DEFAULT_UP.set(0, 0, 1);
 
@@ -35,13 +37,14 @@ export class Stage {
   private readonly plan = new OrthographicCamera(-1, 1, 1, -1, 0.1, 60);
   private readonly cue = beacon();
   private readonly robotFrame = new Group();
+  private lit = "";
   private readonly fog = new Fog(SKY, 14, 45);
 
   constructor(
     private readonly canvas: HTMLCanvasElement, setting: Setting, capacity: number,
-    private readonly eye: Eye = EYE,
+    fine: boolean, private readonly eye: Eye = EYE,
   ) {
-    this.renderer = rendererOn(canvas);
+    this.renderer = rendererOn(canvas, fine || !drawnInSoftware());
     this.world = new World(setting.scene);
     this.robot = new Robot(setting);
     this.trail = new Trail(capacity);
@@ -52,6 +55,7 @@ export class Stage {
       this.robotFrame,
     );
     this.sun.castShadow = true;
+    this.renderer.shadowMap.autoUpdate = false;
     this.sun.shadow.mapSize.set(2048, 2048);
     this.sun.shadow.bias = -0.0006;
     this.sun.shadow.normalBias = 0.01;
@@ -76,15 +80,16 @@ export class Stage {
 
   /** Put everything where it is at an instant, and draw. `heading` is where the camera looks. */
   draw(moment: Moment, target: string | null, heading = moment.theta): void {
-    this.world.show(moment);
+    this.robot.group.visible = this.view !== "first";
+    const moved = this.world.show(moment) || this.robot.group.visible;
     this.robot.show(moment);
     this.forces.show(moment);
     this.robotFrame.position.set(moment.x, moment.y, 0);
     this.robotFrame.rotation.z = moment.theta;
     this.pointTo(target, moment.t);
-    this.robot.group.visible = this.view !== "first";
     this.scene.fog = this.view === "plan" ? null : this.fog;
-    this.light(moment);
+    const relit = this.light(moment);
+    this.renderer.shadowMap.needsUpdate = moved || relit;
     this.renderer.render(this.scene, this.aim(moment, heading));
   }
 
@@ -118,13 +123,18 @@ export class Stage {
     return camera;
   }
 
-  private light({ x, y }: Moment): void {
+  /** Shine on what is looked at; tells whether the light is another than before. */
+  private light({ x, y }: Moment): boolean {
     const { west, east, south, north } = this.world.extent;
-    const whole = this.view === "plan";
-    const middle = whole ? [(west + east) / 2, (south + north) / 2] : [x, y];
-    const half = whole ? Math.max(east - west, north - south) / 2 + 1 : 7;
+    const size = Math.max(east - west, north - south) / 2 + 1;
+    const whole = this.view === "plan" || size < LIT;
+    const middle = whole ? [(west + east) / 2, (south + north) / 2] : [x, y].map(Math.round);
+    const half = whole ? size : LIT;
+    const lit = `${this.view} ${middle.join(" ")}`;
+    if (lit === this.lit) return false;
+    this.lit = lit;
     this.sun.target.position.set(middle[0]!, middle[1]!, 0);
-    const lean = whole ? 0.3 : 1;
+    const lean = this.view === "plan" ? 0.3 : 1;
     this.sun.position.set(middle[0]! - 3 * lean, middle[1]! - 4.5 * lean, 11);
     const camera = this.sun.shadow.camera;
     if (camera.right !== half) {
@@ -133,6 +143,7 @@ export class Stage {
       camera.far = 60;
       camera.updateProjectionMatrix();
     }
+    return true;
   }
 
   private pointTo(target: string | null, t: number): void {
@@ -164,14 +175,23 @@ export class Stage {
   }
 }
 
-function rendererOn(canvas: HTMLCanvasElement): WebGLRenderer {
+/** Whether there is no graphics card to draw with, so that every pixel counts. */
+function drawnInSoftware(): boolean {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  const told = gl?.getExtension("WEBGL_debug_renderer_info");
+  const name = gl && told ? String(gl.getParameter(told.UNMASKED_RENDERER_WEBGL)) : "";
+  gl?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software/i.test(name);
+}
+
+function rendererOn(canvas: HTMLCanvasElement, fine: boolean): WebGLRenderer {
   let renderer: WebGLRenderer;
   try {
-    renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+    renderer = new WebGLRenderer({ canvas, antialias: fine, preserveDrawingBuffer: true });
   } catch (cause) {
     throw new NoWebGL("no WebGL", { cause });
   }
-  renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+  renderer.setPixelRatio(fine ? Math.min(window.devicePixelRatio, 2) : 0.75);
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = PCFShadowMap;
   renderer.toneMapping = ACESFilmicToneMapping;

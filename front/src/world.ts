@@ -58,13 +58,19 @@ export class World {
     return this.blocks.get(name);
   }
 
-  /** Open doors and move bodies as they were at an instant. */
-  show(moment: Moment): void {
-    for (const [name, hinge] of this.doors) hinge.rotation.z = moment.value(`hinge_${name}`);
+  /** Open doors and move bodies as they were at an instant; tells whether anything moved. */
+  show(moment: Moment): boolean {
+    let moved = this.movers.length > 0;
+    for (const [name, hinge] of this.doors) {
+      const angle = moment.value(`hinge_${name}`);
+      moved ||= Math.abs(angle - hinge.rotation.z) > 1e-4;
+      hinge.rotation.z = angle;
+    }
     for (const [body, mesh] of this.movers) {
       const [x, y] = placeOf(body, moment.t);
       mesh.position.set(x, y, body.z);
     }
+    return moved;
   }
 
   private add(body: Body): void {

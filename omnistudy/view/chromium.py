@@ -29,6 +29,9 @@ FLAGS = (
     "--disable-component-update",
     "--disable-sync",
     "--disable-quic",
+    "--disable-background-timer-throttling",
+    "--disable-backgrounding-occluded-windows",
+    "--disable-renderer-backgrounding",
     "--hide-scrollbars",
     "--remote-debugging-port=0",
 )
@@ -114,12 +117,13 @@ class Browser:
         self._control = Tab(self._connected(address))
 
     def tab(self, width: int = 1280, height: int = 800) -> Tab:
-        """Open a tab of a size in pixels."""
-        made = self._control.ask("Target.createTarget", url="about:blank")
+        """Open a page of a size in pixels in a window of its own: hidden ones draw nothing."""
+        made = self._control.ask("Target.createTarget", url="about:blank", newWindow=True)
         host = self._address.split("/devtools/")[0]
         tab = Tab(self._connected(f"{host}/devtools/page/{made['targetId']}"))
         for domain in ("Page", "Runtime"):
             tab.ask(f"{domain}.enable")
+        tab.ask("Emulation.setFocusEmulationEnabled", enabled=True)
         tab.resize(width, height)
         return tab
 

@@ -109,7 +109,7 @@ def _pictures(page: str, filming: Filming) -> Iterator[bytes]:
         file = Path(folder) / "page.html"
         file.write_text(page, encoding="utf-8")
         tab = running.tab(filming.width, filming.height)
-        tab.open(f"{file.as_uri()}#bare=1&camera={filming.camera}")
+        tab.open(f"{file.as_uri()}#bare=1&fine=1&camera={filming.camera}")
         tab.wait_for("window.replay !== undefined")
         for t in filming.times:
             yield _picture(tab, t)

@@ -42,6 +42,7 @@ class LivePages:
         self._answer = Answer()
         self._lags: deque[float] = deque(maxlen=LAGS_KEPT)
         self._lag_trial = 0
+        self._told_at = 0.0
 
     @property
     def routes(self) -> list[BaseRoute]:
@@ -113,7 +114,8 @@ class LivePages:
             self._lag_trial = trial
             self._lags.clear()
         self._lags.append(1000.0 * (time.monotonic() - made))
-        if len(self._lags) % 30 == 0:
+        if time.monotonic() - self._told_at > SILENCE_S:
+            self._told_at = time.monotonic()
             ordered = sorted(self._lags)
             p99 = ordered[min(len(ordered) - 1, round(0.99 * len(ordered)))]
             lag = Lag(trial=trial, frames=len(ordered), median_ms=median(ordered), p99_ms=p99)
