@@ -39,6 +39,7 @@ class ParticipantPage {
     this.canvas = make("canvas", { class: "scene", role: "img", "aria-label": screen.scene });
     this.cue = make("p", { class: "cue" }, `${screen.next_target} `, this.chip);
     this.stop = make("button", { type: "button", class: "stop" }, screen.stop);
+    this.stop.disabled = true;
     this.stop.addEventListener("click", () => this.end());
     const title = make("h1", { class: "unseen" }, screen.scene);
     this.element = make("main", { class: "participant" }, title, this.canvas, this.cue, this.message, this.stop);
@@ -47,7 +48,6 @@ class ParticipantPage {
   }
 
   start(): void {
-    this.stop.focus();
     void navigator.wakeLock?.request("screen").catch(() => undefined);
     requestAnimationFrame(() => this.frame());
   }
@@ -79,7 +79,7 @@ class ParticipantPage {
     const state = this.live.state;
     this.tell(this.sentences(state));
     const running = state !== null && state.status === "running";
-    this.stop.disabled = !running || this.stopped === state.trial;
+    this.offerStop(running && this.stopped !== state.trial);
     this.point(running ? state.target : null);
     if (!state || !this.stage || this.setting?.trial !== state.trial || this.drawn === state.made) return;
     this.stage.draw(momentOf(state), null);
@@ -87,6 +87,13 @@ class ParticipantPage {
     this.drawn = state.made;
     const { trial, made } = state;
     requestAnimationFrame(() => this.live.say({ drawn: made, trial }));
+  }
+
+  /** The one button has the focus whenever it can be pressed: one switch is enough. */
+  private offerStop(offered: boolean): void {
+    if (this.stop.disabled !== offered) return;
+    this.stop.disabled = !offered;
+    if (offered) this.stop.focus();
   }
 
   private sentences(state: State | null): string[] {

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from multiprocessing import get_context
+from multiprocessing import get_context, parent_process
 from multiprocessing.connection import Connection
 from pathlib import Path
+from threading import Thread
 
 from omnistudy.channel import LatestValue
 from omnistudy.errors.view import ServerFailed
@@ -69,7 +71,16 @@ def _server(study: Path, port: int, token: str | None) -> Iterator[str]:
         process.join()
 
 
+def _end_with_session() -> None:
+    """Leave no server behind, however the session ended."""
+    session = parent_process()
+    if session is not None:
+        session.join()
+        os._exit(0)
+
+
 def _serve(study: Path, port: int, token: str | None, telling: Connection) -> None:
     from omnistudy.view.server import serve
 
+    Thread(target=_end_with_session, daemon=True).start()
     serve(study, port=port, token=token, answering=True, ready=telling.send)

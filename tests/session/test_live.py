@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from functools import cache
 
 import numpy as np
@@ -57,10 +56,10 @@ class Onlooker(RealTime):
 
 
 @pytest.fixture
-def clock(monkeypatch: pytest.MonkeyPatch) -> Iterator[Clock]:
+def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
     made = Clock()
     monkeypatch.setattr(live, "time", made)
-    yield made
+    return made
 
 
 @cache
@@ -105,7 +104,7 @@ def test_an_onlooker_sees_sixty_states_a_second_and_the_last(clock: Clock) -> No
     np.testing.assert_allclose(np.diff(times)[:-1], 1 / 60, atol=1e-9)
     x = onlooker.names.index("x")
     sampled = dict(zip(result.samples[:, 0].round(6), result.samples[:, 1], strict=True))
-    for glimpse in onlooker.seen[:: 3]:
+    for glimpse in onlooker.seen[::3]:
         assert glimpse.plant[x] == sampled.get(round(glimpse.t, 6), glimpse.plant[x])
     assert (onlooker.ended, list(onlooker.seen[-1].events)) == (result.status, list(result.events))
 
