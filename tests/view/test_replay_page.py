@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from base64 import b64decode, b64encode
 from collections.abc import Callable, Iterator
 from io import BytesIO
 from itertools import pairwise
@@ -125,6 +126,34 @@ def test_two_trials_stay_in_step(
     assert tab.value(AT) == 4
     assert tab.value("document.querySelector('input[value=plan]').checked")
     assert tab.faults == []
+
+
+@pytest.mark.slow
+def test_ten_minutes_are_scrubbed_from_end_to_end(
+    chromium: Browser, films: tuple[Film, ...], tmp_path: Path
+) -> None:
+    times = np.arange(12_001) / 20
+    file = tmp_path / "long.html"
+    write_page(replay_page([lengthened(films[0], times)]), file)
+    assert file.stat().st_size < 4_000_000
+    tab = chromium.tab(900, 700)
+    tab.open(file.as_uri())
+    tab.wait_for("window.replay !== undefined")
+    for t in (600, 0, 301.5):
+        tab.value(f"window.replay.seek({t})")
+        assert tab.value(AT) == t
+    assert tab.faults == []
+
+
+def lengthened(short: Film, times: NDArray[np.float64]) -> Film:
+    """Give a film that goes on and on: SYNTHETIC, its series are repeated."""
+    series = []
+    for one in short.series:
+        values = np.frombuffer(b64decode(one.data), dtype="<f4")
+        longer = times if one.name == "t" else np.resize(values, len(times))
+        data = b64encode(longer.astype("<f4").tobytes()).decode()
+        series.append(one.model_copy(update={"data": data}))
+    return short.model_copy(update={"series": tuple(series), "end": float(times[-1])})
 
 
 def test_without_webgl_the_page_says_what_to_do(
