@@ -40,7 +40,9 @@ class BrokenSdf(OmnistudyError):
     """A Gazebo world that cannot be imported."""
 
     def __init__(self, file: Path, fault: str) -> None:
-        super().__init__(f"{file}: {fault}; boxes, cylinders, planes and actors in SDF can be imported")
+        super().__init__(
+            f"{file}: {fault}; boxes, cylinders, planes and actors in SDF can be imported"
+        )
 
 
 class BrokenMap(OmnistudyError):
@@ -57,6 +59,16 @@ class NoFreeSpace(OmnistudyError):
         super().__init__(
             f"{file}: no cell is free: {occupied} are occupied and {unknown} unknown; look at "
             "negate and the thresholds, or at the image"
+        )
+
+
+class TooManyBoxes(OmnistudyError):
+    """A map of specks that no few boxes can stand for."""
+
+    def __init__(self, file: Path, most: int) -> None:
+        super().__init__(
+            f"{file}: its occupied cells need more than {most} boxes: is the image a map? Clear it "
+            "of specks, cut out what is driven through, or make its cells coarser"
         )
 
 
