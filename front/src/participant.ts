@@ -1,7 +1,7 @@
 /** The participant's screen: the world from the robot, the task's sentences, a button to stop. */
 
 import { Live, momentOf, type LiveSetting, type State } from "./live";
-import { NoWebGL, Stage } from "./stage";
+import { NoWebGL, Stage, type Eye } from "./stage";
 import { make, say } from "./words";
 
 interface Screen {
@@ -14,9 +14,11 @@ interface Screen {
   scene: string;
 }
 
-export function participant({ language, screen }: { language: string; screen: Screen }): void {
+interface Shown { language: string; screen: Screen; eye: Eye & { force_arrows: boolean } }
+
+export function participant({ language, screen, eye }: Shown): void {
   document.documentElement.lang = language;
-  const page = new ParticipantPage(screen);
+  const page = new ParticipantPage(screen, eye);
   document.body.append(page.element);
   page.start();
 }
@@ -35,7 +37,7 @@ class ParticipantPage {
   private drawn = 0;
   frames = 0;
 
-  constructor(private readonly screen: Screen) {
+  constructor(private readonly screen: Screen, private readonly eye: Shown["eye"]) {
     this.canvas = make("canvas", { class: "scene", role: "img", "aria-label": screen.scene });
     this.cue = make("p", { class: "cue" }, `${screen.next_target} `, this.chip);
     this.stop = make("button", { type: "button", class: "stop" }, screen.stop);
@@ -55,7 +57,7 @@ class ParticipantPage {
   private open(setting: LiveSetting): void {
     try {
       this.stage?.close();
-      this.stage = new Stage(this.canvas, setting, 1, false);
+      this.stage = new Stage(this.canvas, setting, 1, false, this.eye);
     } catch (fault) {
       if (!(fault instanceof NoWebGL)) throw fault;
       document.body.replaceChildren(say(this.screen.no_picture, ""));
@@ -63,7 +65,7 @@ class ParticipantPage {
     }
     this.setting = setting;
     this.stage.view = "first";
-    this.stage.forces.group.visible = false;
+    this.stage.forces.group.visible = this.eye.force_arrows;
     this.stage.trail.mesh.visible = false;
   }
 

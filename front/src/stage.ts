@@ -13,9 +13,9 @@ import { World } from "./world";
 export type View = "follow" | "plan" | "first";
 export const VIEWS: View[] = ["follow", "plan", "first"];
 
-/** What a person at the robot sees: height and angle of view. */
+/** What a person at the robot sees: places in m, the angle from below to above in rad. */
 export interface Eye { height: number; ahead: number; field_of_view: number }
-export const EYE: Eye = { height: 0.75, ahead: -0.1, field_of_view: 70 };
+export const EYE: Eye = { height: 0.75, ahead: -0.1, field_of_view: 1.22 };
 
 const LIT = 8;
 /** m to each side of the robot that have shadows, where the world is larger than that. */
@@ -111,7 +111,7 @@ export class Stage {
     if (this.view === "plan") return this.plan;
     if (this.view === "first") {
       const [cc, ss] = [Math.cos(moment.theta), Math.sin(moment.theta)];
-      camera.fov = this.eye.field_of_view;
+      camera.fov = (this.eye.field_of_view * 180) / Math.PI;
       camera.position.set(x + this.eye.ahead * cc, y + this.eye.ahead * ss, this.eye.height);
       camera.lookAt(x + 3 * cc, y + 3 * ss, 0.35);
     } else {

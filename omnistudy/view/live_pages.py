@@ -56,10 +56,15 @@ class LivePages:
 
     def _participant(self, request: Request) -> HTMLResponse:
         with open_study(self._study) as opened:
-            messages = frozen_protocol(opened.study).messages
+            protocol = frozen_protocol(opened.study)
+        messages = protocol.messages
         if messages.screen is None:
             raise NoScreenSentences(self._study, messages.language)
-        content = {"language": messages.language, "screen": messages.screen.model_dump()}
+        content = {
+            "language": messages.language,
+            "screen": messages.screen.model_dump(),
+            "eye": protocol.site.first_person.model_dump(),
+        }
         page = live_page("participant", messages.screen.scene, content)
         return HTMLResponse(page, headers=HEADERS)
 
