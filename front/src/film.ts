@@ -67,6 +67,7 @@ export interface Film extends Setting {
   condition: string;
   route: string;
   status: string;
+  end: number;
   duration_s: number | null;
   collisions: number | null;
   series: { name: string; unit: string; description: string; data: string }[];

@@ -119,6 +119,7 @@ class MonitorPage {
     this.sensed = new Sensed(setting.boundary);
     this.stage.onRobot(this.sensed.group);
     this.setting = setting;
+    void this.stage.prepare();
     this.heading.textContent = `Trial ${setting.trial} · ${setting.participant} · label ${setting.label} · `
       + `${setting.route} · ${setting.place} of ${setting.places}`;
   }

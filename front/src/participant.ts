@@ -64,6 +64,7 @@ class ParticipantPage {
       return;
     }
     this.setting = setting;
+    void this.stage.prepare();
     this.stage.view = "first";
     this.stage.forces.group.visible = this.eye.force_arrows;
     this.stage.trail.mesh.visible = false;
@@ -84,7 +85,7 @@ class ParticipantPage {
     this.offerStop(running && this.stopped !== state.trial);
     this.point(running ? state.target : null);
     if (!state || !this.stage || this.setting?.trial !== state.trial || this.drawn === state.made) return;
-    this.stage.draw(momentOf(state), null);
+    if (!this.stage.draw(momentOf(state), null)) return;
     this.frames += 1;
     this.drawn = state.made;
     const { trial, made } = state;

@@ -232,7 +232,7 @@ class Player {
 }
 
 export function replay(films: Film[]): void {
-  const end = Math.max(...films.map((film) => new Record(film).end));
+  const end = Math.max(...films.map((film) => film.end));
   const reels = films.map((film) => new Reel(film, end));
   const player = new Player(reels, end);
   const main = make("main", { class: reels.length > 1 ? "replay two" : "replay" },
@@ -249,5 +249,7 @@ export function replay(films: Film[]): void {
   main.classList.toggle("bare", wish.has("bare"));
   player.look(VIEWS.find((view) => view === wish.get("camera")) ?? "follow");
   player.seek(Number(wish.get("t")) || 0);
-  Object.assign(window, { replay: { seek: (t: number) => player.seek(t), end, player } });
+  void Promise.all(reels.map((reel) => reel.stage.prepare())).then(() => {
+    Object.assign(window, { replay: { seek: (t: number) => player.seek(t), end, player } });
+  });
 }

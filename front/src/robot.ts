@@ -2,7 +2,7 @@
 
 import {
   BoxGeometry, BufferGeometry, CylinderGeometry, DynamicDrawUsage, Float32BufferAttribute, Group,
-  Mesh, MeshBasicMaterial, MeshStandardMaterial, Quaternion, Shape, ShapeGeometry, Vector3,
+  Mesh, MeshBasicMaterial, MeshLambertMaterial, Quaternion, Shape, ShapeGeometry, Vector3,
 } from "three";
 import { FORCE_X, FORCE_Y, RESULTANT, TORQUE_LEFT, TORQUE_RIGHT, TRAIL } from "./colours";
 import type { Link, Moment, Setting } from "./film";
@@ -48,7 +48,7 @@ export class Robot {
 
 function body(link: Link): Mesh {
   const shape = link.geometry;
-  const material = new MeshStandardMaterial({ color: link.colour, roughness: 0.45, metalness: 0.1 });
+  const material = new MeshLambertMaterial({ color: link.colour });
   let mesh: Mesh;
   if (shape.shape === "box") {
     mesh = new Mesh(new BoxGeometry(shape.x, shape.y, shape.z), material);
@@ -57,8 +57,8 @@ function body(link: Link): Mesh {
     mesh = new Mesh(upright.rotateX(Math.PI / 2), material);
     if (link.surface !== "plain") {
       const tread = rollers(link.surface === "rollers_left" ? 1 : -1);
-      const cap = new MeshStandardMaterial({ color: link.colour, roughness: 0.6 });
-      mesh.material = [new MeshStandardMaterial({ map: tread, roughness: 0.6 }), cap, cap];
+      const cap = new MeshLambertMaterial({ color: link.colour });
+      mesh.material = [new MeshLambertMaterial({ map: tread }), cap, cap];
       mesh.add(hub(shape.radius, shape.length));
     }
   }
@@ -68,7 +68,7 @@ function body(link: Link): Mesh {
 
 /** Spokes, so that a turning wheel is seen to turn. */
 function hub(radius: number, width: number): Group {
-  const metal = new MeshStandardMaterial({ color: "#d5d8dc", roughness: 0.4, metalness: 0.3 });
+  const metal = new MeshLambertMaterial({ color: "#d5d8dc" });
   const spokes = new Group();
   for (const turn of [0, 1, 2]) {
     const spoke = new Mesh(new BoxGeometry(1.5 * radius, 0.18 * radius, 1.04 * width), metal);
@@ -86,7 +86,7 @@ function nose({ footprint: [half, side], links }: Setting): Group {
   top.position.z = height;
   const deck = new Mesh(
     new BoxGeometry(1.7 * half, 1.5 * side, 0.02),
-    new MeshStandardMaterial({ color: "#2b2f36", roughness: 0.6 }),
+    new MeshLambertMaterial({ color: "#2b2f36" }),
   );
   deck.position.z = 0.01;
   const arrow = new Shape();

@@ -20,6 +20,8 @@ export const EYE: Eye = { height: 0.75, ahead: -0.1, field_of_view: 1.22 };
 const LIT = 8;
 /** m to each side of the robot that have shadows, where the world is larger than that. */
 const SKY = "#dfe7ee";
+const FOG_BEGINS = 14;
+const FOG_ENDS = 45;
 Object3D.DEFAULT_UP.set(0, 0, 1);
 
 export class NoWebGL extends Error {}
@@ -38,7 +40,9 @@ export class Stage {
   private readonly cue = beacon();
   private readonly robotFrame = new Group();
   private lit = "";
-  private readonly fog = new Fog(SKY, 14, 45);
+  private ready = false;
+  private redraw = (): void => undefined;
+  private readonly fog = new Fog(SKY, FOG_BEGINS, FOG_ENDS);
 
   constructor(
     private readonly canvas: HTMLCanvasElement, setting: Setting, capacity: number,
@@ -48,6 +52,7 @@ export class Stage {
     this.world = new World(setting.scene);
     this.robot = new Robot(setting);
     this.trail = new Trail(capacity);
+    this.scene.fog = this.fog;
     this.scene.background = new Color(SKY);
     this.scene.add(new HemisphereLight("#f6f9ff", "#d8cfbe", 2.3), this.sun, this.sun.target);
     this.scene.add(
@@ -61,6 +66,13 @@ export class Stage {
     this.sun.shadow.normalBias = 0.01;
     new ResizeObserver(() => this.fit()).observe(canvas);
     this.fit();
+  }
+
+  /** Let the graphics driver make ready what it draws with, without holding up the page. */
+  async prepare(): Promise<void> {
+    await this.renderer.compileAsync(this.scene, this.perspective);
+    this.ready = true;
+    this.redraw();
   }
 
   /** Mark places of collisions on the floor. */
@@ -78,8 +90,11 @@ export class Stage {
     this.renderer.dispose();
   }
 
-  /** Put everything where it is at an instant, and draw. `heading` is where the camera looks. */
-  draw(moment: Moment, target: string | null, heading = moment.theta): void {
+  /** Put everything where it is at an instant, and draw, once that is possible; tells whether it was.
+   * `heading` is where the camera looks. */
+  draw(moment: Moment, target: string | null, heading = moment.theta): boolean {
+    this.redraw = () => void this.draw(moment, target, heading);
+    if (!this.ready) return false;
     this.robot.group.visible = this.view !== "first";
     const moved = this.world.show(moment) || this.robot.group.visible;
     this.robot.show(moment);
@@ -87,10 +102,12 @@ export class Stage {
     this.robotFrame.position.set(moment.x, moment.y, 0);
     this.robotFrame.rotation.z = moment.theta;
     this.pointTo(target, moment.t);
-    this.scene.fog = this.view === "plan" ? null : this.fog;
+    this.fog.far = this.view === "plan" ? 1e6 : FOG_ENDS;
+    this.fog.near = this.view === "plan" ? 1e5 : FOG_BEGINS;
     const relit = this.light(moment);
     this.renderer.shadowMap.needsUpdate = moved || relit;
     this.renderer.render(this.scene, this.aim(moment, heading));
+    return true;
   }
 
   /** Hang something of one's own on the robot. */
@@ -175,13 +192,20 @@ export class Stage {
   }
 }
 
+let software: boolean | undefined;
+
 /** Whether there is no graphics card to draw with, so that every pixel counts. */
 function drawnInSoftware(): boolean {
+  software ??= /swiftshader|llvmpipe|software/i.test(rendererName());
+  return software;
+}
+
+function rendererName(): string {
   const gl = document.createElement("canvas").getContext("webgl2");
   const told = gl?.getExtension("WEBGL_debug_renderer_info");
   const name = gl && told ? String(gl.getParameter(told.UNMASKED_RENDERER_WEBGL)) : "";
   gl?.getExtension("WEBGL_lose_context")?.loseContext();
-  return /swiftshader|llvmpipe|software/i.test(name);
+  return name;
 }
 
 function rendererOn(canvas: HTMLCanvasElement, fine: boolean): WebGLRenderer {

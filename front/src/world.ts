@@ -2,7 +2,7 @@
 
 import {
   BoxGeometry, BufferGeometry, CircleGeometry, Color, CylinderGeometry, Float32BufferAttribute,
-  Group, Mesh, MeshLambertMaterial, MeshStandardMaterial, PlaneGeometry, Shape, ShapeGeometry,
+  Group, Mesh, MeshLambertMaterial, PlaneGeometry, Shape, ShapeGeometry,
 } from "three";
 import type { Body, Moment, Scene } from "./film";
 import { placeOf } from "./motion";
@@ -102,12 +102,12 @@ function geometryOf({ geometry }: Body): BufferGeometry {
   return new CylinderGeometry(geometry.radius, geometry.radius, geometry.length, 32).rotateX(Math.PI / 2);
 }
 
-function materialOf(body: Body): MeshStandardMaterial {
+function materialOf(body: Body): MeshLambertMaterial {
   const colour = new Color(body.colour);
-  if (body.role === "door") return new MeshStandardMaterial({ color: colour, map: wood(), roughness: 0.7 });
-  if (body.role === "wall") return new MeshStandardMaterial({ color: "#c2410c", roughness: 0.6 });
-  return new MeshStandardMaterial({
-    color: colour, emissive: colour, emissiveIntensity: 0.25, roughness: 0.45,
+  if (body.role === "door") return new MeshLambertMaterial({ color: colour, map: wood() });
+  if (body.role === "wall") return new MeshLambertMaterial({ color: "#c2410c" });
+  return new MeshLambertMaterial({
+    color: colour, emissive: colour, emissiveIntensity: 0.25,
   });
 }
 
@@ -115,7 +115,7 @@ function handle(body: Body): Group {
   const both = new Group();
   const shape = body.geometry;
   if (shape.shape !== "box" || !body.hinge) return both;
-  const metal = new MeshStandardMaterial({ color: "#d8dade", roughness: 0.3, metalness: 0.3 });
+  const metal = new MeshLambertMaterial({ color: "#d8dade" });
   for (const side of [1, -1]) {
     const knob = new Mesh(new BoxGeometry(0.1, 0.02, 0.02), metal);
     knob.position.set(-1.86 * body.hinge.x, side * (shape.y / 2 + 0.02), 0.1);
