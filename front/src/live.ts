@@ -37,6 +37,7 @@ export function momentOf(state: State): Moment {
 
 const SILENCE = 2000;
 /** ms without a word from the server after which the connection counts as lost. */
+const STALL = 300;
 const AGAIN = 500;
 
 /** The connection to the server: the latest state, and a way to answer. It connects again by itself. */
@@ -45,13 +46,18 @@ export class Live {
   lag: Lag | null = null;
   private socket: WebSocket | null = null;
   private heardAt = performance.now();
+  private lookedAt = performance.now();
 
   constructor(private readonly onSetting: (setting: LiveSetting) => void) {
     this.connect();
   }
 
+  /** To be asked at every frame; time in which the page itself stood still does not count. */
   get lost(): boolean {
-    return performance.now() - this.heardAt > SILENCE;
+    const now = performance.now();
+    if (now - this.lookedAt > STALL) this.heardAt += now - this.lookedAt;
+    this.lookedAt = now;
+    return now - this.heardAt > SILENCE;
   }
 
   say(answer: object): void {

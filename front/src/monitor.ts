@@ -120,14 +120,20 @@ class MonitorPage {
     this.stage.onRobot(this.sensed.group);
     this.setting = setting;
     void this.stage.prepare();
-    this.heading.textContent = `Trial ${setting.trial} · ${setting.participant} · label ${setting.label} · `
+  }
+
+  private where(): string {
+    const setting = this.setting;
+    if (!this.live.state || !setting) return "No trial is running.";
+    return `Trial ${setting.trial} · ${setting.participant} · label ${setting.label} · `
       + `${setting.route} · ${setting.place} of ${setting.places}`;
   }
 
   private frame(): void {
     requestAnimationFrame(() => this.frame());
     const state = this.live.state;
-    if (this.live.lost) this.heading.textContent = "The connection to the session is lost.";
+    const where = this.live.lost ? "The connection to the session is lost." : this.where();
+    if (this.heading.textContent !== where) this.heading.textContent = where;
     if (!state || this.setting?.trial !== state.trial || this.drawn === state.made) return;
     this.drawn = state.made;
     const moment = momentOf(state);
