@@ -6,7 +6,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
-SYSTEM_PACKAGES := chromium
+SYSTEM_PACKAGES := chromium ffmpeg
 
 .DEFAULT_GOAL := help
 .PHONY: help demo test quick bench reference front lock system-packages
