@@ -2,12 +2,13 @@
 
 import {
   CircleGeometry, Color, ConeGeometry, CylinderGeometry, DirectionalLight, DoubleSide, Fog, Group,
-  HemisphereLight, Mesh, MeshBasicMaterial, Object3D, OrthographicCamera, PCFShadowMap,
+  BasicShadowMap, HemisphereLight, Mesh, MeshBasicMaterial, Object3D, OrthographicCamera, PCFShadowMap,
   PerspectiveCamera, Scene, Vector3, WebGLRenderer, ACESFilmicToneMapping, type Camera,
 } from "three";
 import { COLLISION } from "./colours";
 import type { Moment, Setting } from "./film";
 import { Forces, Robot, Trail } from "./robot";
+import { sharpen } from "./textures";
 import { World } from "./world";
 
 export type View = "follow" | "plan" | "first";
@@ -48,7 +49,9 @@ export class Stage {
     private readonly canvas: HTMLCanvasElement, setting: Setting, capacity: number,
     fine: boolean, private readonly eye: Eye = EYE,
   ) {
-    this.renderer = rendererOn(canvas, fine || !drawnInSoftware());
+    const careful = fine || !drawnInSoftware();
+    this.renderer = rendererOn(canvas, careful);
+    sharpen(careful ? 4 : 1);
     this.world = new World(setting.scene);
     this.robot = new Robot(setting);
     this.trail = new Trail(capacity);
@@ -217,7 +220,7 @@ function rendererOn(canvas: HTMLCanvasElement, fine: boolean): WebGLRenderer {
   }
   renderer.setPixelRatio(fine ? Math.min(window.devicePixelRatio, 2) : 0.75);
   renderer.shadowMap.enabled = true;
-  renderer.shadowMap.type = PCFShadowMap;
+  renderer.shadowMap.type = fine ? PCFShadowMap : BasicShadowMap;
   renderer.toneMapping = ACESFilmicToneMapping;
   renderer.toneMappingExposure = 0.95;
   return renderer;

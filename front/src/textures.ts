@@ -2,6 +2,13 @@
 
 import { CanvasTexture, RepeatWrapping, SRGBColorSpace, type Texture } from "three";
 
+let looks = 4;
+
+/** Say how often a surface seen at a slant is looked up for each pixel, from now on. */
+export function sharpen(times: number): void {
+  looks = times;
+}
+
 type Brush = (pen: CanvasRenderingContext2D, size: number, draw: () => number) => void;
 
 /** Poured concrete in slabs of a metre, with a fine joint at every half. */
@@ -74,7 +81,7 @@ function painted(size: number, brush: Brush): Texture {
   const texture = new CanvasTexture(canvas);
   texture.wrapS = texture.wrapT = RepeatWrapping;
   texture.colorSpace = SRGBColorSpace;
-  texture.anisotropy = 4;
+  texture.anisotropy = looks;
   return texture;
 }
 
