@@ -6,10 +6,10 @@ VENV := .venv
 BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
-SYSTEM_PACKAGES := chromium
+SYSTEM_PACKAGES := chromium ffmpeg
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test quick bench bench-arm reference lock system-packages
+.PHONY: help demo test quick bench bench-arm reference front lock system-packages
 
 help:  ## Say what can be made
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):[^#]*## /\1\t/' | expand -t 18
@@ -39,6 +39,9 @@ bench-arm: $(INSTALLED)  ## Measure the arm's controllers: success over random t
 reference: $(INSTALLED)  ## Renew docs/reference from the commands' help and the models
 	$(BIN)/python docs/make_reference.py
 	$(BIN)/python docs/make_protocol_reference.py
+
+front:  ## Build the browser's side again with Node.js 20 (users need none)
+	cd front && npm ci && npm run check && npm run build
 
 lock: $(INSTALLED)  ## Renew requirements.lock on purpose
 	$(BIN)/pip install --quiet uv

@@ -52,6 +52,8 @@ NOUNS = {
     "survey": Noun("Instruments: what people are asked."),
     "drive": Noun("Drive through worlds without a study: recordings, the virtual driver."),
     "sweep": Noun("Many virtual studies that differ in a few settings."),
+    "view": Noun("A study's pages in the browser.", True),
+    "replay": Noun("A stored trial seen again: a page, pictures, a video.", True),
     "report": Noun("A study's report as one HTML file.", True),
 }
 """Noun -> its help; its verbs live in `omnistudy.cli.<noun>` as `app`."""

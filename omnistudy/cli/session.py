@@ -93,6 +93,13 @@ def run(
         str | None,
         typer.Option(help="Protocol that the study must have been frozen with, by name or file."),
     ] = None,
+    live: Annotated[
+        bool,
+        typer.Option("--live", help="One trial at a time, in real time, to be seen in browsers."),
+    ] = False,
+    open_browser: Annotated[
+        bool, typer.Option("--open/--no-open", help="Open the live pages in the browser.")
+    ] = True,
     dry_run: Annotated[
         bool, typer.Option("--dry-run", help="Say how many trials would run, and run none.")
     ] = False,
@@ -110,7 +117,10 @@ def run(
     if dry_run:
         print_line(f"{waiting} trials would run")
         return
-    summary = run_with_progress(path, waiting, codes, trials, workers, protocol)
+    if live:
+        summary = run_with_pages(path, waiting, codes, trials, protocol, open_browser)
+    else:
+        summary = run_with_progress(path, waiting, codes, trials, workers, protocol)
     if json:
         print_json(summary)
         return
@@ -130,6 +140,39 @@ def count_waiting(path: Path, participants: tuple[str, ...], limit: int | None) 
     if participants:
         waiting = waiting[waiting["participant"].isin(participants)]
     return len(waiting) if limit is None else min(limit, len(waiting))
+
+
+def run_with_pages(
+    path: Path,
+    waiting: int,
+    participants: tuple[str, ...],
+    limit: int | None,
+    protocol: str | None,
+    open_browser: bool,
+) -> RunSummary:
+    """Run the planned trials at the wall clock's pace, with the participant's and own pages."""
+    import sys
+    import webbrowser
+
+    from omnistudy.protocol.compose import compose_protocol
+    from omnistudy.session import run_trials
+    from omnistudy.session.live import run_live
+    from omnistudy.view.attendance import attended
+
+    with attended(path) as attendance, progress(f"running {path.stem}", waiting) as advance:
+        for page in ("participant", "monitor"):
+            address = attendance.address.replace("/?", f"/{page}?")
+            print(f"{page}: {address}", file=sys.stderr, flush=True)
+            if open_browser:
+                webbrowser.open(address)
+        return run_trials(
+            path,
+            participants=participants,
+            limit=limit,
+            protocol=compose_protocol(protocol) if protocol else None,
+            run=lambda ready, specs: run_live(ready, specs, attendance.accompany),
+            finished=lambda trial, result: advance(),
+        )
 
 
 def run_with_progress(

@@ -6,9 +6,10 @@ from collections.abc import Sequence
 from math import cos, hypot, sin
 from typing import NamedTuple
 
+from omnistudy.channel import Channel
 from omnistudy.plants.bullet import pybullet
 from omnistudy.plants.bullet_motion import MovingBodies, MovingBody
-from omnistudy.scene import Body, Box, Scene
+from omnistudy.scene import HINGE, Body, Box, Scene
 
 ROBOT, STATIC, DOOR = 1, 2, 4
 """Collision groups: robots meet walls and doors; doors meet only robots; walls only robots."""
@@ -28,6 +29,28 @@ class Marker(NamedTuple):
     radius: float
 
 
+class Doors(NamedTuple):
+    """The bodies that turn on a hinge, by their names."""
+
+    uids: dict[str, int]
+    client: int
+
+    @property
+    def channels(self) -> tuple[Channel, ...]:
+        """One angle a door: how far it is turned from where its body says."""
+        return tuple(
+            Channel(f"{HINGE}{name}", "rad", "how far the door is open, counter-clockwise")
+            for name in self.uids
+        )
+
+    def angles(self) -> tuple[float, ...]:
+        """Give the present angles in rad."""
+        return tuple(
+            pybullet.getJointState(uid, DOOR_LINK, physicsClientId=self.client)[0]
+            for uid in self.uids.values()
+        )
+
+
 class BulletScene(NamedTuple):
     """Names of the PyBullet bodies by their unique number; those that stop nothing, that move."""
 
@@ -35,6 +58,7 @@ class BulletScene(NamedTuple):
     others: dict[int, str]
     markers: tuple[Marker, ...]
     moving: MovingBodies
+    doors: Doors
 
 
 def add_scene(scene: Scene, client: int, physics_hz: int) -> BulletScene:
@@ -43,6 +67,7 @@ def add_scene(scene: Scene, client: int, physics_hz: int) -> BulletScene:
     others: dict[int, str] = {}
     markers: list[Marker] = []
     moving: list[MovingBody] = []
+    doors = Doors({}, client)
     parts: dict[str, list[Body]] = {}
     for body in scene.bodies:
         if body.role == "floor":
@@ -51,6 +76,8 @@ def add_scene(scene: Scene, client: int, physics_hz: int) -> BulletScene:
             parts.setdefault(body.part_of, []).append(body)
             continue
         uid = _hinged(body, client) if body.hinge else _standing(body, client)
+        if body.hinge:
+            doors.uids[body.name] = uid
         if not body.solid:
             markers.append(Marker(body.name, uid, body.x, body.y, _radius(body)))
         elif body.role == "wall":
@@ -63,7 +90,7 @@ def add_scene(scene: Scene, client: int, physics_hz: int) -> BulletScene:
         for first in range(0, len(boxes), BOXES_IN_ONE):
             walls[_joined(boxes[first : first + BOXES_IN_ONE], client)] = name
     bodies = MovingBodies(tuple(moving), client, physics_hz)
-    return BulletScene(walls, others, tuple(markers), bodies)
+    return BulletScene(walls, others, tuple(markers), bodies, doors)
 
 
 def _radius(body: Body) -> float:

@@ -2,17 +2,30 @@
 
 from __future__ import annotations
 
-from math import hypot
+from math import hypot, pi
 from typing import Annotated
 
 from pydantic import Field
 
 from omnistudy.geometry import PlanarTwist
 from omnistudy.plants.plant import Plant
+from omnistudy.scene import Box, Cylinder, Joint, Link
 from omnistudy.units import Kilograms, Metres, NewtonMetres, Newtons, Positive
 
 WheelSpeeds = tuple[float, float, float, float]
 """Front left, front right, rear left, rear right, rad/s."""
+
+WHEELS = ("wheel_front_left", "wheel_front_right", "wheel_rear_left", "wheel_rear_right")
+"""Names of the wheels and of the channels of their speeds, in the order of WheelSpeeds."""
+
+CHASSIS_HEIGHT = 0.1
+CHASSIS_HALF_HEIGHT = 0.05
+CHASSIS_COLOUR = "#edb40e"
+WHEEL_WIDTH = 0.05
+WHEEL_PROUD = 0.002
+"""Wheels stand out of the chassis by this, so that it is a wheel that rubs along a wall, in m."""
+WHEEL_INSET = 0.07
+"""Wheel axles from the chassis's ends, m."""
 
 
 class MecanumBase(Plant):
@@ -41,6 +54,44 @@ class MecanumBase(Plant):
     def circumradius(self) -> float:
         """Radius in m of the circle swept when it turns on the spot."""
         return hypot(self.half_length, self.half_width)
+
+    @property
+    def footprint(self) -> tuple[float, float]:
+        """Half length and half width, m."""
+        return self.half_length, self.half_width
+
+    @property
+    def axles(self) -> tuple[tuple[float, float], ...]:
+        """Where the wheels' middles are, (x, y) in m in the robot's frame, as WHEELS names them."""
+        ahead, aside = self.half_length - WHEEL_INSET, self.half_width - 0.5 * WHEEL_WIDTH
+        return tuple((x, y) for x in (ahead, -ahead) for y in (aside, -aside))
+
+    @property
+    def links(self) -> tuple[Link, ...]:
+        """The chassis, open at the wheels, and the wheels: their rollers lie as an X from above."""
+        height, side = 2.0 * CHASSIS_HALF_HEIGHT, self.half_width - WHEEL_PROUD
+        between = self.axles[0][0] - self.wheel_radius
+        chassis = Box(x=2.0 * self.half_length, y=2.0 * (side - WHEEL_WIDTH), z=height)
+        flanks = Box(x=2.0 * between, y=2.0 * side, z=height)
+        tyre = Cylinder(radius=self.wheel_radius, length=WHEEL_WIDTH)
+        return (
+            Link(name="chassis", geometry=chassis, z=CHASSIS_HEIGHT, colour=CHASSIS_COLOUR),
+            Link(name="flanks", geometry=flanks, z=CHASSIS_HEIGHT, colour=CHASSIS_COLOUR),
+            *(
+                Link(
+                    name=name,
+                    geometry=tyre,
+                    x=x,
+                    y=y,
+                    z=self.wheel_radius,
+                    roll=-0.5 * pi,
+                    colour="#2b2f36",
+                    surface="rollers_left" if x * y > 0.0 else "rollers_right",
+                    joint=Joint(channel=name, rate=True),
+                )
+                for name, (x, y) in zip(WHEELS, self.axles, strict=True)
+            ),
+        )
 
     def wheel_speeds(self, twist: PlanarTwist) -> WheelSpeeds:
         """Give the wheel speeds that a twist needs (inverse Jacobian, Tyagi 2017, eq. 2.2)."""

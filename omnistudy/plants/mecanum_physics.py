@@ -10,20 +10,21 @@ from omnistudy.geometry import PlanarPose, PlanarTwist, wrapped
 from omnistudy.plants.bullet import pybullet
 from omnistudy.plants.bullet_scene import DOOR, ROBOT, STATIC, UPRIGHT, add_scene
 from omnistudy.plants.chassis_rays import Chassis
-from omnistudy.plants.mecanum import MecanumBase, WheelSpeeds
+from omnistudy.plants.mecanum import (
+    CHASSIS_HALF_HEIGHT,
+    CHASSIS_HEIGHT,
+    WHEEL_PROUD,
+    WHEEL_WIDTH,
+    WHEELS,
+    MecanumBase,
+    WheelSpeeds,
+)
 from omnistudy.plants.plant import RunningPlant
 from omnistudy.scene import NO_CONTACT, Contacts, PlanarState, Scene
 
 JOINTS = (0, 1, 2)
 CHASSIS = 2
 """Links 0 and 1 slide along the world's x and y, link 2 turns and carries the chassis."""
-CHASSIS_HEIGHT = 0.1
-CHASSIS_HALF_HEIGHT = 0.05
-WHEEL_WIDTH = 0.05
-WHEEL_PROUD = 0.002
-"""Wheels stand out of the chassis by this, so that it is a wheel that rubs along a wall, in m."""
-WHEEL_INSET = 0.07
-"""Wheel axles from the chassis's ends, m."""
 CARRIAGE_MASS = 0.01
 WHEEL_MASS = 0.1
 
@@ -41,10 +42,7 @@ class RunningMecanum(RunningPlant):
         Channel("vx", "m/s", "forward velocity in the robot's frame"),
         Channel("vy", "m/s", "leftward velocity in the robot's frame"),
         Channel("omega", "rad/s", "turning rate"),
-        Channel("wheel_front_left", "rad/s", "speed at which the wheel is driven"),
-        Channel("wheel_front_right", "rad/s", "speed at which the wheel is driven"),
-        Channel("wheel_rear_left", "rad/s", "speed at which the wheel is driven"),
-        Channel("wheel_rear_right", "rad/s", "speed at which the wheel is driven"),
+        *(Channel(name, "rad/s", "speed at which the wheel is driven") for name in WHEELS),
     )
 
     def __init__(self, base: MecanumBase, scene: Scene, start: PlanarPose, physics_hz: int) -> None:
@@ -57,6 +55,7 @@ class RunningMecanum(RunningPlant):
             physicsClientId=self._client,
         )
         self._scene = add_scene(scene, self._client, physics_hz)
+        self.channels = (*self.channels, *self._scene.doors.channels)
         self._robot = self._create(start)
         self._reach = base.circumradius
         self._forces = [base.drive_force, base.drive_force, base.drive_torque]
@@ -86,12 +85,7 @@ class RunningMecanum(RunningPlant):
             physicsClientId=client,
         )
         axle = pybullet.getQuaternionFromEuler([0.5 * pi, 0.0, 0.0])
-        ahead, aside = base.half_length - WHEEL_INSET, base.half_width - 0.5 * WHEEL_WIDTH
-        wheels = [
-            [x, y, base.wheel_radius - CHASSIS_HEIGHT]
-            for x in (ahead, -ahead)
-            for y in (aside, -aside)
-        ]
+        wheels = [[x, y, base.wheel_radius - CHASSIS_HEIGHT] for x, y in base.axles]
         slide, turn, fixed = (
             pybullet.JOINT_PRISMATIC,
             pybullet.JOINT_REVOLUTE,
@@ -160,8 +154,8 @@ class RunningMecanum(RunningPlant):
         return self._travelled
 
     def values(self) -> tuple[float, ...]:
-        """Give pose, twist and wheel speeds, as `channels` names them."""
-        return (*self._pose, *self._state.twist, *self._wheels)
+        """Give pose, twist, wheel speeds and angles of doors, as `channels` names them."""
+        return (*self._pose, *self._state.twist, *self._wheels, *self._scene.doors.angles())
 
     def drive(self, wheels: WheelSpeeds) -> None:
         """Let the wheels turn at these speeds through the coming step."""

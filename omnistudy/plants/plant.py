@@ -9,7 +9,10 @@ from typing import Any
 from omnistudy.channel import Channel
 from omnistudy.geometry import PlanarPose, Scan
 from omnistudy.registry import KindModel
-from omnistudy.scene import Scene
+from omnistudy.scene import Box, Link, Scene
+
+PLAIN_HEIGHT = 0.2
+"""Of the block in m that stands for a robot of unknown looks."""
 
 
 class Plant(KindModel, ABC):
@@ -31,6 +34,17 @@ class Plant(KindModel, ABC):
     def circumradius(self) -> float:
         """Radius in m of the circle swept by a turn on the spot; that of a square unless given."""
         return self.width / sqrt(2.0)
+
+    @property
+    def footprint(self) -> tuple[float, float]:
+        """Half length and half width in m of its outline on the floor; a square unless given."""
+        return 0.5 * self.width, 0.5 * self.width
+
+    @property
+    def links(self) -> tuple[Link, ...]:
+        """What is seen of it, parents before children; one plain block unless given."""
+        block = Box(x=self.width, y=self.width, z=PLAIN_HEIGHT)
+        return (Link(name="base", geometry=block, z=0.5 * PLAIN_HEIGHT),)
 
 
 class RunningPlant(ABC):

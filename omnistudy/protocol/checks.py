@@ -133,6 +133,15 @@ def _ethics(protocol: Protocol) -> Iterator[str]:
         yield "site.ethics: an approval needs its board and its number"
 
 
+def _screen(protocol: Protocol) -> Iterator[str]:
+    messages = protocol.messages
+    if protocol.participants.kind == "human" and messages.screen is None:
+        yield (
+            f"messages.screen: people look at a screen, and its sentences are missing in language "
+            f"'{messages.language}': translate those of conf/messages/en.yaml"
+        )
+
+
 def _worlds(protocol: Protocol) -> tuple[World, ...]:
     own = [condition.world or protocol.world for condition in _sound_conditions(protocol)]
     return tuple({repr(world): world for world in (protocol.world, *own)}.values())
@@ -157,5 +166,6 @@ CHECKS = (
     Check(("world", "plant", "routes"), _drivable),
     Check(("participants",), _participants),
     Check(("site", "participants"), _ethics),
+    Check(("messages", "participants"), _screen),
 )
 """Everything that is looked for, in the order of the page."""

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
+
+from pydantic import Field
 
 from omnistudy.registry import Model
+from omnistudy.units import Metres, Positive, Radians
 
 
 class Ethics(Model):
@@ -20,9 +23,24 @@ class Ethics(Model):
     """Whatever a reader must know about it."""
 
 
+class FirstPerson(Model):
+    """What a participant's screen shows of the world; nothing behind the robot is seen (ours)."""
+
+    height: Annotated[Metres, Positive] = 0.75
+    """Of the eye above the floor: just under the walls of 2017."""
+    ahead: Metres = -0.1
+    """Of the eye before the robot's centre."""
+    field_of_view: Annotated[Radians, Field(gt=0.2, lt=2.6)] = 1.22
+    """From the lower to the upper edge of the picture."""
+    force_arrows: bool = False
+    """Draw the law's force on the robot too: feedback for the eye."""
+
+
 class Site(Model):
     """Approval and display of one laboratory."""
 
     ethics: Ethics
     display: str = ""
     """What participants look at, in words."""
+    first_person: FirstPerson = FirstPerson()
+    """How the world is shown to them."""

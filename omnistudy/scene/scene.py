@@ -18,6 +18,10 @@ Colour = Annotated[str, Field(pattern=r"^#[0-9a-fA-F]{6}$")]
 """As #rrggbb."""
 
 
+HINGE = "hinge_"
+"""Before the name of a body: the channel of its hinge's angle, rad."""
+
+
 class Box(Model):
     """A box of full side lengths."""
 

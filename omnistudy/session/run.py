@@ -17,6 +17,9 @@ from omnistudy.study.frozen import check_unchanged, frozen_protocol
 from omnistudy.study.order_check import ENDED, OrderCheck
 from omnistudy.trial import TrialResult, TrialSpec
 
+Run = Callable[[Sequence[StoredTrial], Iterator[TrialSpec]], Iterator[TrialResult]]
+"""Drives trials one after the other, each result in the place of its spec."""
+
 
 @dataclass(frozen=True, slots=True)
 class RunSummary:
@@ -35,12 +38,14 @@ def run_trials(
     limit: int | None = None,
     workers: int = 1,
     protocol: Protocol | None = None,
+    run: Run | None = None,
     finished: Callable[[StoredTrial, TrialResult], None] = lambda trial, result: None,
 ) -> RunSummary:
     """Run what is planned, in order, each trial written whole as it ends; a stop loses none.
 
     participants : codes; none means all. limit : run at most so many trials.
     protocol : when given, it must be the frozen one.
+    run : drives the trials instead of `workers` processes, such as `run_live`.
     finished : told of every trial that was written.
 
     Raises ProtocolChanged, OrderDiffers, UnknownParticipant, HumanParticipants, and what the store
@@ -64,7 +69,8 @@ def run_trials(
         for wave in _waves(chosen):
             ready = [_with_condition(writer, order, trial) for trial in wave]
             specs = _started(writer, frozen, ready)
-            for trial, result in zip(ready, run_all(specs, workers), strict=True):
+            results = run(ready, specs) if run else run_all(specs, workers)
+            for trial, result in zip(ready, results, strict=True):
                 _write(writer, trial, result)
                 ended[result.status] += 1
                 finished(trial, result)

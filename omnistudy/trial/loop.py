@@ -14,18 +14,25 @@ from omnistudy.geometry import NO_FORCE, PlanarTwist, Scan, Vector3
 from omnistudy.laws import Sensed
 from omnistudy.plants import RunningPlant
 from omnistudy.trial.collisions import CollisionCounter
+from omnistudy.trial.companion import Companion, Glimpse
 from omnistudy.trial.recorder import Recorder
 from omnistudy.trial.result import TrialResult
 from omnistudy.trial.sources import HandSource, RecordSource, Source
 from omnistudy.trial.spec import TrialSpec
 from omnistudy.worlds import Situation, passing
 
+STOPPED = "stopped by hand"
+"""Reason of a trial that its companion ended."""
+
 STILL = PlanarTwist(0.0, 0.0, 0.0)
 
 
-def run_trial(spec: TrialSpec) -> TrialResult:
-    """Run a trial with its operator and device; the same spec gives the same bytes."""
-    return _run(spec, HandSource(spec))
+def run_trial(spec: TrialSpec, companion: Companion | None = None) -> TrialResult:
+    """Run a trial with its operator and device; the same spec gives the same bytes.
+
+    companion : keeps the pace and looks on; without one the trial goes as fast as it can.
+    """
+    return _run(spec, HandSource(spec), companion)
 
 
 def resimulate(spec: TrialSpec, recorded: NDArray[np.float64]) -> TrialResult:
@@ -36,21 +43,24 @@ def resimulate(spec: TrialSpec, recorded: NDArray[np.float64]) -> TrialResult:
     return _run(spec, RecordSource(spec, recorded))
 
 
-def _run(spec: TrialSpec, source: Source) -> TrialResult:
+def _run(spec: TrialSpec, source: Source, companion: Companion | None = None) -> TrialResult:
     plant = spec.plant.build(
         spec.world.scene, spec.world.start.pose, spec.recording.physics_hz, spec.person.trial_seed
     )
     try:
-        return _Loop(spec, source, plant).run()
+        return _Loop(spec, source, plant, companion).run()
     finally:
         plant.close()
 
 
 class _Loop:
-    def __init__(self, spec: TrialSpec, source: Source, plant: RunningPlant) -> None:
+    def __init__(
+        self, spec: TrialSpec, source: Source, plant: RunningPlant, companion: Companion | None
+    ) -> None:
         self._spec = spec
         self._source = source
         self._plant = plant
+        self._companion = companion
         self._moving = spec.world.scene.moving
         self._task = spec.task.begin(spec.world, spec.route, spec.messages)
         self._collisions = CollisionCounter(spec.recording.physics_hz)
@@ -61,8 +71,19 @@ class _Loop:
         self._device = DeviceState((0.0,) * axes, (0.0,) * axes)
         self._control = Control(STILL, None, spec.controller.initial_state())
         self._started_at = nan
+        self._ended_at = nan
 
     def run(self) -> TrialResult:
+        companion = self._companion
+        if companion is None:
+            return self._turned()
+        companion.begin(self._plant.channels, self._source.axes)
+        result = self._turned()
+        companion.see(self._glimpse(self._ended_at, self._task.situation))
+        companion.end(result.status)
+        return result
+
+    def _turned(self) -> TrialResult:
         recording = self._spec.recording
         physics_hz, scan_hz = recording.physics_hz, recording.scan_hz
         sample_every = physics_hz // recording.sample_hz
@@ -70,6 +91,8 @@ class _Loop:
         situation = self._task.situation
         ended, step, scans = "", 0, -1
         while not ended:
+            if self._companion and not self._accompanied(self._companion, step, dt, situation):
+                return self._result("aborted", STOPPED, step * dt)
             if step * scan_hz // physics_hz != scans:
                 scans = step * scan_hz // physics_hz
                 self._sense()
@@ -81,6 +104,26 @@ class _Loop:
             step += 1
             situation, ended = self._notice(step * dt)
         return self._result(ended, "", step * dt)
+
+    def _accompanied(
+        self, companion: Companion, step: int, dt: float, situation: Situation
+    ) -> bool:
+        """Show the trial as it is before a step, and wait; False when it is to end."""
+        if step % max(1, self._spec.recording.physics_hz // companion.glimpse_hz) == 0:
+            companion.see(self._glimpse(step * dt, situation))
+        return companion.goes_on(step * dt)
+
+    def _glimpse(self, t: float, situation: Situation) -> Glimpse:
+        return Glimpse(
+            t,
+            self._plant.values(),
+            self._device.position,
+            self._field.wrench,
+            self._scan,
+            situation,
+            self._collisions.count,
+            self._recorder.events,
+        )
 
     def _sense(self) -> None:
         """Scan, ask the law, hand the field to the device."""
@@ -137,6 +180,7 @@ class _Loop:
         return progress.situation, progress.ended
 
     def _result(self, status: Any, reason: str, t: float) -> TrialResult:
+        self._ended_at = t
         return TrialResult(
             status=status,
             reason=reason,

@@ -7,7 +7,7 @@ from typer.core import TyperGroup
 
 from omnistudy.cli.app import NOUNS, LazyNoun, command_tree
 
-DO = {"demo", "drive", "new", "report", "session", "sweep"}
+DO = {"demo", "drive", "new", "replay", "report", "session", "sweep", "view"}
 """Nouns that do something and have no things of their own to be listed."""
 
 

@@ -1,0 +1,22 @@
+/** Small pieces of a page. */
+
+type Attributes = { [name: string]: string };
+
+export function make<K extends keyof HTMLElementTagNameMap>(
+  tag: K, attributes: Attributes = {}, ...children: (Node | string)[]
+): HTMLElementTagNameMap[K] {
+  const made = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+  made.append(...children);
+  return made;
+}
+
+/** A page that has nothing but something to say. */
+export function say(title: string, text: string): HTMLElement {
+  return make("main", { class: "said" }, make("h1", {}, title), make("p", {}, text));
+}
+
+export function clock(t: number): string {
+  const minutes = Math.floor(t / 60);
+  return `${minutes}:${(t - 60 * minutes).toFixed(1).padStart(4, "0")}`;
+}

@@ -1,0 +1,1 @@
+"""What is seen: trials as pages in a browser, drawn from the scene description."""

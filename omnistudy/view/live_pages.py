@@ -1,0 +1,137 @@
+"""The pages of a live trial: the participant's screen, the experimenter's monitor, their data."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import time
+from collections import deque
+from contextlib import suppress
+from pathlib import Path
+from statistics import median
+
+from starlette.requests import Request
+from starlette.responses import HTMLResponse, Response
+from starlette.routing import BaseRoute, Route, WebSocketRoute
+from starlette.websockets import WebSocket, WebSocketDisconnect
+
+from omnistudy.channel import LatestValue
+from omnistudy.errors.view import NoScreenSentences
+from omnistudy.store import open_study
+from omnistudy.study.frozen import frozen_protocol
+from omnistudy.view.answer import Answer, Lag
+from omnistudy.view.guard import HEADERS
+from omnistudy.view.live_files import answer_file, state_file
+from omnistudy.view.live_setting import live_setting
+from omnistudy.view.page import live_page
+from omnistudy.view.state_source import StateSource
+
+PERIOD_S = 1 / 60
+SILENCE_S = 0.5
+"""After so long without news a page is told that there is none."""
+LAGS_KEPT = 36_000
+"""Frames of ten minutes."""
+
+
+class LivePages:
+    """Routes of live pages. Each connection takes the latest state when it is ready for one."""
+
+    def __init__(self, study: Path, answering: bool) -> None:
+        self._study = study
+        self._answering = answering
+        self._answer = Answer()
+        self._lags: deque[float] = deque(maxlen=LAGS_KEPT)
+        self._lag_trial = 0
+        self._told_at = 0.0
+
+    @property
+    def routes(self) -> list[BaseRoute]:
+        """What is to be had, and where."""
+        return [
+            Route("/participant", self._participant),
+            Route("/monitor", self._monitor),
+            Route("/setting/{trial:int}", self._setting),
+            WebSocketRoute("/live", self._live),
+        ]
+
+    def _participant(self, request: Request) -> HTMLResponse:
+        with open_study(self._study) as opened:
+            protocol = frozen_protocol(opened.study)
+        messages = protocol.messages
+        if messages.screen is None:
+            raise NoScreenSentences(self._study, messages.language)
+        content = {
+            "language": messages.language,
+            "screen": messages.screen.model_dump(),
+            "eye": protocol.site.first_person.model_dump(),
+        }
+        page = live_page("participant", messages.screen.scene, content)
+        return HTMLResponse(page, headers=HEADERS)
+
+    def _monitor(self, request: Request) -> HTMLResponse:
+        with open_study(self._study) as opened:
+            name = opened.study.name
+        return HTMLResponse(live_page("monitor", f"Monitor of {name}", {}), headers=HEADERS)
+
+    def _setting(self, request: Request) -> Response:
+        with open_study(self._study) as opened:
+            found = live_setting(opened, request.path_params["trial"])
+        return Response(found.model_dump_json(), headers=HEADERS, media_type="application/json")
+
+    async def _live(self, socket: WebSocket) -> None:
+        await socket.accept()
+        hearing = asyncio.create_task(self._hear(socket))
+        with suppress(WebSocketDisconnect, RuntimeError):
+            await self._tell(socket, hearing)
+        hearing.cancel()
+
+    async def _tell(self, socket: WebSocket, hearing: asyncio.Task[None]) -> None:
+        """Send the latest state whenever there is a newer one; a slow page misses some."""
+        source = StateSource(state_file(self._study))
+        sent, at = 0, 0.0
+        while not hearing.done():
+            found = source.latest()
+            now = time.monotonic()
+            if found and found.number != sent:
+                sent, at = found.number, now
+                lag = self._answer.lag
+                told = lag.model_dump_json() if lag else "null"
+                await socket.send_text(f'{{"state":{found.data.decode()},"lag":{told}}}')
+            elif now - at > SILENCE_S:
+                at = now
+                await socket.send_text('{"state":null,"lag":null}')
+            await asyncio.sleep(PERIOD_S)
+        source.close()
+
+    async def _hear(self, socket: WebSocket) -> None:
+        """Take what a page answers until it is gone."""
+        with suppress(WebSocketDisconnect):
+            while True:
+                said = json.loads(await socket.receive_text())
+                if "stop" in said:
+                    self._say(stop=int(said["stop"]))
+                if "drawn" in said:
+                    self._drawn(int(said["trial"]), float(said["drawn"]))
+
+    def _drawn(self, trial: int, made: float) -> None:
+        """Count a frame of the participant's screen."""
+        if trial != self._lag_trial:
+            self._lag_trial = trial
+            self._lags.clear()
+        self._lags.append(1000.0 * (time.monotonic() - made))
+        if time.monotonic() - self._told_at > SILENCE_S:
+            self._told_at = time.monotonic()
+            ordered = sorted(self._lags)
+            p99 = ordered[min(len(ordered) - 1, round(0.99 * len(ordered)))]
+            lag = Lag(trial=trial, frames=len(ordered), median_ms=median(ordered), p99_ms=p99)
+            self._say(lag=lag)
+
+    def _say(self, stop: int | None = None, lag: Lag | None = None) -> None:
+        """Tell the session."""
+        if not self._answering:
+            return
+        self._answer = Answer(
+            stop=self._answer.stop if stop is None else stop, lag=lag or self._answer.lag
+        )
+        with LatestValue(answer_file(self._study)) as answer:
+            answer.write(self._answer.model_dump_json().encode())

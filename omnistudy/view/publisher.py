@@ -1,0 +1,89 @@
+"""Says what happens in a live trial, at most 60 times a second, to whoever looks."""
+
+from __future__ import annotations
+
+import time
+from math import isfinite
+
+from pydantic_core import to_json
+
+from omnistudy.channel import Channel, LatestValue
+from omnistudy.session.live import RealTime
+from omnistudy.trial import Glimpse
+from omnistudy.view.answer import Answer
+from omnistudy.view.captions import Captions
+
+LAST_EVENTS = 12
+"""Events that a state carries: a page may have missed those before."""
+WRENCH = ("fx", "fy", "tau")
+
+
+class Publisher(RealTime):
+    """Keeps a trial at the wall clock's pace and puts its state where the server finds it."""
+
+    def __init__(self, trial: int, state: LatestValue, answer: LatestValue) -> None:
+        super().__init__()
+        self._trial = trial
+        self._state = state
+        self._answer = answer
+        self._names: tuple[str, ...] = ()
+        self._captions = Captions()
+        self._taken = 0
+        self._shown: dict[str, object] = {}
+
+    def begin(self, plant: tuple[Channel, ...], axes: tuple[Channel, ...]) -> None:
+        """Take the names, and start the clock."""
+        self._names = tuple(channel.name for channel in (*plant, *axes)) + WRENCH
+        super().begin(plant, axes)
+
+    def see(self, glimpse: Glimpse) -> None:
+        """Put the state of this instant in place of the last."""
+        for event in glimpse.events[self._taken :]:
+            self._captions.take(event)
+        self._taken = len(glimpse.events)
+        values = (*glimpse.plant, *glimpse.device, *glimpse.wrench)
+        leg = glimpse.situation.leg
+        self._shown = {
+            "trial": self._trial,
+            "t": glimpse.t,
+            "values": dict(zip(self._names, values, strict=True)),
+            "target": leg.target if leg else None,
+            "lines": self._captions.now,
+            "collisions": glimpse.collisions,
+            "events": glimpse.events[-LAST_EVENTS:],
+            "hits": _hits(glimpse),
+            "late": self.late,
+            "status": "running",
+        }
+        self._write()
+
+    def end(self, status: str) -> None:
+        """Say how it ended; the last state stays to be seen."""
+        self._shown["status"] = status
+        self._write()
+
+    def remarks(self) -> tuple[tuple[str, str], ...]:
+        """Tell how late steps and the participant's screen were."""
+        lag = Answer.latest(self._answer).lag
+        if lag is None or lag.trial != self._trial:
+            return super().remarks()
+        told = f"lag {lag.median_ms:.1f} ms median, {lag.p99_ms:.1f} ms p99, {lag.frames} frames"
+        return (*super().remarks(), ("display", told))
+
+    @property
+    def stopped(self) -> bool:
+        """Whether somebody pressed stop during this trial."""
+        return Answer.latest(self._answer).stop == self._trial
+
+    def _write(self) -> None:
+        stamped = {**self._shown, "made": time.monotonic()}
+        self._state.write(to_json(stamped, inf_nan_mode="null"))
+
+
+def _hits(glimpse: Glimpse) -> list[tuple[float, float]]:
+    """Give where rays end at something, in the robot's frame, to the millimetre."""
+    scan = glimpse.scan
+    if scan is None:
+        return []
+    ends = scan.points()[scan.ranges < scan.max_range]
+    return [(round(x, 3), round(y, 3)) for x, y in ends.tolist() if isfinite(x)]

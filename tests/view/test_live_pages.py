@@ -1,0 +1,127 @@
+"""A live session with real pages: they show what happens, and nothing they do changes a trial."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+from view.axe import complaints
+
+import omnistudy
+from omnistudy.channel import Event
+from omnistudy.protocol.compose import compose_protocol
+from omnistudy.store import StudyFile
+from omnistudy.study import create_study
+from omnistudy.view.captions import captions
+from omnistudy.view.chromium import Browser, Tab, browser
+
+from .conftest import SHORT
+
+COMMAND = "from omnistudy.cli.app import main; main()"
+STATE = "window.participant.live.state"
+RECORD = f"""
+window.seen = [];
+new MutationObserver(() => {{
+  if ({STATE}) window.seen.push([{STATE}.t, document.querySelector('.message').textContent]);
+}}).observe(document.querySelector('.message'), {{childList: true}});
+"""
+"""Observers are called before the next state can arrive."""
+
+
+@contextmanager
+def session(study: Path) -> Iterator[tuple[str, str, subprocess.Popen[str]]]:
+    """Run one trial live; gives the addresses of the participant's page and of the monitor."""
+    arguments = ("session", "run", str(study), "--trials", "1", "--live", "--no-open")
+    with subprocess.Popen(
+        [sys.executable, "-c", COMMAND, *arguments], stderr=subprocess.PIPE, text=True
+    ) as process:
+        assert process.stderr is not None
+        lines = [process.stderr.readline() for _ in range(2)]
+        found = [re.search(r"http://\S+", line) for line in lines]
+        try:
+            assert found[0], lines
+            assert found[1], lines
+            yield found[0][0], found[1][0], process
+        finally:
+            process.terminate()
+
+
+@pytest.fixture
+def study(tmp_path: Path) -> Path:
+    path = tmp_path / "seen.db"
+    create_study(compose_protocol("utah2017_component", SHORT), path, "seen")
+    return path
+
+
+def events(study: StudyFile) -> list[Event]:
+    rows = study.events(1)[["t", "kind", "detail"]].itertuples(index=False, name=None)
+    return [Event(*row) for row in rows]
+
+
+@pytest.mark.slow
+def test_sentences_appear_when_their_events_happen(study: Path, chromium: Browser) -> None:
+    with session(study) as (participant, _, process):
+        screen = opened(chromium, participant)
+        screen.value(RECORD)
+        screen.wait_for("document.querySelector('.message').textContent.startsWith('Drive away')")
+        assert not screen.value("document.querySelector('.message').hidden")
+        assert screen.value("window.participant.frames") > 0
+        seen = screen.value("window.seen")
+        assert process.wait(timeout=120) == 0
+        assert screen.faults == []
+    with omnistudy.open(study) as stored:
+        told = captions(events(stored), 1e9)
+        remarks = {event.kind for event in events(stored)}
+    assert seen
+    for t, text in seen:
+        lines = [line for one in told if one.begin <= t < one.end for line in one.lines]
+        assert text == "\n".join(lines), f"at {t} s"
+    assert {"pace", "display"} <= remarks
+
+
+@pytest.mark.slow
+def test_five_pages_a_slow_one_and_a_dead_browser_leave_the_samples_alone(
+    study: Path, driven_study: Path, requires_program: Callable[[str, str], str], front: Path
+) -> None:
+    requires_program("chromium", "chromium")
+    with session(study) as (participant, monitor, process):
+        with browser() as running:
+            screen, watch, slow, *_ = [
+                opened(running, address) for address in (participant, *4 * (monitor,))
+            ]
+            slow.ask("Emulation.setCPUThrottlingRate", rate=50)
+            watch.wait_for("document.querySelector('.where').textContent.includes('label A')")
+            assert complaints(screen, front) == []
+            assert complaints(watch, front) == []
+            assert [*screen.faults, *watch.faults, *slow.faults] == []
+        # The browser is gone; the trial is not.
+        assert process.wait(timeout=120) == 0
+    with omnistudy.open(study) as live, omnistudy.open(driven_study) as lockstep:
+        assert live.sample_array(1).tobytes() == lockstep.sample_array(1).tobytes()
+
+
+def opened(running: Browser, address: str) -> Tab:
+    tab = running.tab(320, 240)
+    tab.open(address)
+    return tab
+
+
+@pytest.mark.slow
+def test_stop_is_a_key_away_and_ends_the_trial(study: Path, chromium: Browser) -> None:
+    with session(study) as (participant, _, process):
+        tab = opened(chromium, participant)
+        tab.wait_for(f"({STATE}?.t ?? 0) > 1 && !document.querySelector('.stop').disabled")
+        assert tab.value("document.activeElement.className") == "stop"
+        for kind in ("keyDown", "keyUp"):
+            tab.ask("Input.dispatchKeyEvent", type=kind, key="Enter", code="Enter", text="\r")
+        tab.wait_for("document.querySelector('.message').textContent.startsWith('Stopped')")
+        assert process.wait(timeout=60) == 0
+    with omnistudy.open(study) as stored:
+        first = stored.trials().iloc[0]
+    assert (first["status"], first["reason"]) == ("aborted", "stopped by hand")
+    assert not study.with_name(f"{study.name}-live").exists()
