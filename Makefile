@@ -6,7 +6,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
-SYSTEM_PACKAGES := chromium
+SYSTEM_PACKAGES := chromium gcc-avr avr-libc simavr libsimavr-dev libelf-dev
 
 .DEFAULT_GOAL := help
 .PHONY: help demo test quick bench reference lock system-packages

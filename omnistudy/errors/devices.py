@@ -1,0 +1,70 @@
+"""Mistakes in reaching a device."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from omnistudy.errors.base import OmnistudyError
+
+
+class NoToolchain(OmnistudyError):
+    """The emulator's tools are not installed."""
+
+    def __init__(self, missing: Sequence[str], packages: Sequence[str]) -> None:
+        super().__init__(
+            f"the emulated stick needs {', '.join(missing)}: "
+            f"apt-get install {' '.join(packages)}, or `make system-packages`"
+        )
+
+
+class ToolchainFailed(OmnistudyError):
+    """The firmware or the emulator does not compile."""
+
+    def __init__(self, command: str, said: str) -> None:
+        super().__init__(f"the firmware or its emulator does not compile; `{command}` said: {said}")
+
+
+class NoFirmware(OmnistudyError):
+    """The firmware's sources are not where they should be."""
+
+    def __init__(self, folder: object) -> None:
+        super().__init__(
+            f"the firmware's sources are not in {folder}: run from a checkout of omnistudy"
+        )
+
+
+class ProcessorCrashed(OmnistudyError):
+    """The emulated processor stopped: an illegal instruction or a jump into nothing."""
+
+    def __init__(self, cycle: int) -> None:
+        super().__init__(
+            f"the emulated processor crashed at cycle {cycle}: the firmware has a bug, "
+            "see firmware/README.md"
+        )
+
+
+class NoAnswer(OmnistudyError):
+    """A request that the stick did not answer in time."""
+
+    def __init__(self, request: str, seconds: float) -> None:
+        super().__init__(
+            f"the stick did not answer '{request}' within {seconds:g} s: "
+            "check its cable, power and port, then try again"
+        )
+
+
+class Refused(OmnistudyError):
+    """A request that the stick refused."""
+
+    def __init__(self, request: str, reason: str) -> None:
+        super().__init__(f"the stick refused '{request}': {reason}")
+
+
+class WrongProtocol(OmnistudyError):
+    """A stick that speaks another version of the protocol."""
+
+    def __init__(self, theirs: int, ours: int) -> None:
+        super().__init__(
+            f"the stick speaks protocol version {theirs}, this omnistudy speaks {ours}: "
+            "flash the firmware of this release (firmware/README.md)"
+        )
