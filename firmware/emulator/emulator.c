@@ -16,6 +16,8 @@
 #define LINE_SIZE (1 << 20)
 #define BROWN_OUT 0x04
 #define MCUSR_ADDRESS 0x54
+#define WDTCSR_ADDRESS 0x60
+#define WATCHDOG_INTERRUPT 0x40
 
 struct line {
     uint8_t bytes[LINE_SIZE];
@@ -47,6 +49,8 @@ struct emulator {
     bool estop, dead_man;
     int greatest;
     uint32_t overlaps;
+    uint32_t hung_at;
+    uint8_t healthy[2];
 };
 
 /* control register, its connecting bit, compare register, port, direction, bit of the pin */
@@ -363,6 +367,18 @@ void emulator_glitch(struct emulator *emulator, int axis, int line, uint32_t cyc
     avr_cycle_timer_register(emulator->avr, cycles, on_glitch_end, encoder);
 }
 
+void emulator_jump(struct emulator *emulator, int axis)
+{
+    avr_t *avr = emulator->avr;
+    uint8_t enabled = avr->sreg[S_I];
+
+    /* Seen by no instruction between the two lines. */
+    avr->sreg[S_I] = 0;
+    emulator->encoders[axis].count += 2;
+    show(&emulator->encoders[axis]);
+    avr->sreg[S_I] = enabled;
+}
+
 void emulator_estop(struct emulator *emulator, bool pressed)
 {
     emulator->estop = pressed;
@@ -406,21 +422,24 @@ void emulator_brown_out(struct emulator *emulator)
     keep_going(emulator);
 }
 
-uint8_t emulator_peek(const struct emulator *emulator, uint16_t address)
+void emulator_hang(struct emulator *emulator, bool interrupts)
 {
-    return emulator->avr->data[address];
+    avr_t *avr = emulator->avr;
+
+    emulator->hung_at = avr->pc;
+    memcpy(emulator->healthy, &avr->flash[avr->pc], 2);
+    avr->flash[avr->pc] = 0xFF; /* rjmp .-2 */
+    avr->flash[avr->pc + 1] = 0xCF;
+    avr->sreg[S_I] = interrupts;
+    /* The real watchdog resets at its second bite when nobody took the first as an interrupt;
+     * simavr's does so only once the interrupt is off. */
+    if (!interrupts)
+        avr->data[WDTCSR_ADDRESS] &= ~WATCHDOG_INTERRUPT;
 }
 
-void emulator_poke(struct emulator *emulator, uint16_t address, uint8_t value)
+void emulator_heal(struct emulator *emulator)
 {
-    avr_core_watch_write(emulator->avr, address, value);
-}
-
-/* As a program that loops for ever: a jump to itself, and interrupts as they are. */
-void emulator_hang(struct emulator *emulator)
-{
-    emulator->avr->sreg[S_I] = 0;
-    emulator->avr->interrupt_state = 0;
+    memcpy(&emulator->avr->flash[emulator->hung_at], emulator->healthy, 2);
 }
 
 void emulator_eeprom(struct emulator *emulator, uint16_t address, uint8_t *bytes, uint16_t length,

@@ -51,6 +51,9 @@ int32_t emulator_count(const struct emulator *emulator, int axis);
 /* Flip line A (0) or B (1) of an encoder for so many cycles. */
 void emulator_glitch(struct emulator *emulator, int axis, int line, uint32_t cycles);
 
+/* Turn an encoder by two counts at once, as when a step was lost. */
+void emulator_jump(struct emulator *emulator, int axis);
+
 /* Contacts on the board. */
 void emulator_estop(struct emulator *emulator, bool pressed);
 void emulator_dead_man(struct emulator *emulator, bool held);
@@ -66,10 +69,10 @@ uint32_t emulator_overlaps(struct emulator *emulator);
 /* Reset the processor as a brown-out does: registers and pins anew, EEPROM kept. */
 void emulator_brown_out(struct emulator *emulator);
 
-/* Read or write the processor's memory, or stop it from seeing interrupts. */
-uint8_t emulator_peek(const struct emulator *emulator, uint16_t address);
-void emulator_poke(struct emulator *emulator, uint16_t address, uint8_t value);
-void emulator_hang(struct emulator *emulator);
+/* Let the program jump for ever to where it is, with interrupts or without; then put it right. */
+void emulator_hang(struct emulator *emulator, bool interrupts);
+void emulator_heal(struct emulator *emulator);
+
 void emulator_eeprom(struct emulator *emulator, uint16_t address, uint8_t *bytes, uint16_t length, bool write);
 
 #endif

@@ -75,6 +75,7 @@ def _library() -> ctypes.CDLL:
         "is_turning": (ctypes.c_bool, (this, number)),
         "count": (ctypes.c_int32, (this, number)),
         "glitch": (None, (this, number, number, ctypes.c_uint32)),
+        "jump": (None, (this, number)),
         "estop": (None, (this, ctypes.c_bool)),
         "dead_man": (None, (this, ctypes.c_bool)),
         "enabled": (ctypes.c_bool, (this,)),
@@ -82,9 +83,8 @@ def _library() -> ctypes.CDLL:
         "greatest_duty": (number, (this,)),
         "overlaps": (ctypes.c_uint32, (this,)),
         "brown_out": (None, (this,)),
-        "peek": (ctypes.c_uint8, (this, ctypes.c_uint16)),
-        "poke": (None, (this, ctypes.c_uint16, ctypes.c_uint8)),
-        "hang": (None, (this,)),
+        "hang": (None, (this, ctypes.c_bool)),
+        "heal": (None, (this,)),
         "eeprom": (None, (this, ctypes.c_uint16, ctypes.c_char_p, ctypes.c_uint16, ctypes.c_bool)),
     }
     for name, (result, arguments) in signatures.items():
@@ -183,6 +183,10 @@ class EmulatedStick:
         """Flip line A (0) or B (1) of an encoder for so long."""
         self._library.emulator_glitch(self._board, axis, line, max(1, round(seconds * HERTZ)))
 
+    def jump(self, axis: int) -> None:
+        """Turn an encoder by two counts at once, as when a step was lost."""
+        self._library.emulator_jump(self._board, axis)
+
     def press_estop(self, pressed: bool) -> None:
         """Press or release the emergency stop."""
         self._library.emulator_estop(self._board, pressed)
@@ -213,13 +217,13 @@ class EmulatedStick:
         """Reset the processor as a dip of its supply does."""
         self._library.emulator_brown_out(self._board)
 
-    def poke(self, address: int, value: int) -> None:
-        """Write a byte of the processor's memory or registers."""
-        self._library.emulator_poke(self._board, address, value)
+    def hang(self, interrupts: bool) -> None:
+        """Let the program jump for ever to where it is, with interrupts or without."""
+        self._library.emulator_hang(self._board, interrupts)
 
-    def hang(self) -> None:
-        """Let the processor see no interrupt any more, as a program that hangs inside one."""
-        self._library.emulator_hang(self._board)
+    def heal(self) -> None:
+        """Put the program right again after `hang`."""
+        self._library.emulator_heal(self._board)
 
     def eeprom(self, address: int, length: int) -> bytes:
         """Read EEPROM."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
 from stick_bench import Bench
 
@@ -32,6 +34,6 @@ def test_no_tick_is_missed_at_the_rated_speed(bench: Bench) -> None:
         bench.board.turn(axis, 1_500, rate - 500)
     heard = bench.line.listen(0.07)
     assert heard[-1].missed == 0
-    assert [b.tick - a.tick for a, b in zip(heard, heard[1:], strict=False)] == [1] * 69
+    assert [b.tick - a.tick for a, b in pairwise(heard)] == [1] * 69
     assert heard[-1].faults & 0xFF == 0
     assert heard[-1].signs & 0x20
