@@ -48,7 +48,9 @@ uint8_t clock_ticks(void)
 
 bool clock_is_due(void)
 {
-    return ticks != 0;
+    /* The flag too, for the interrupt may still wait behind those of the encoders; and first, for it
+     * may come between the two looks. */
+    return (TIFR3 & (1 << OCF3A)) || ticks != 0;
 }
 
 /* The first bite is an interrupt, for the bootloader of a stock Mega hangs after a watchdog reset

@@ -8,7 +8,7 @@
 
 /* What each tick needs of the settings. */
 struct derived {
-    uint16_t angle_per_count[3]; /* 65536 a turn, times 256 */
+    int16_t angle_per_count[3];  /* 65536 a turn, times 256 */
     uint16_t rise;               /* share of all force that comes in a tick, 65535 is all */
     uint16_t fall;
 };

@@ -47,13 +47,7 @@ static void ramp_over(uint8_t ticks)
 /* Stiffness·position + damping·rate of one row. */
 static int32_t hold(const int16_t *stiffness, const int16_t *damping, const struct motion *motion)
 {
-    int32_t spring = 0, damper = 0;
-
-    for (uint8_t j = 0; j < 3; j++) {
-        spring += multiply(stiffness[j], motion->position[j]);
-        damper += multiply(damping[j], motion->rate[j]);
-    }
-    return spring + (damper >> 3);
+    return dot3(stiffness, motion->position) + (dot3(damping, motion->rate) >> 3);
 }
 
 void field_take(const struct field *field, const struct motion *motion)
@@ -62,11 +56,8 @@ void field_take(const struct field *field, const struct motion *motion)
 
     for (uint8_t i = 0; i < 3; i++) {
         const int16_t *row = &field->stiffness[3 * i];
-        int32_t about = 0;
 
-        for (uint8_t j = 0; j < 3; j++)
-            about += multiply(row[j], field->about[j]);
-        now.target[i] = ((int32_t)field->wrench[i] << 5) + (about >> 3);
+        now.target[i] = ((int32_t)field->wrench[i] << 5) + (dot3(row, field->about) >> 3);
         /* The force goes on from what it was at the last tick. */
         now.offset[i] = now.force[i] + hold(row, &field->damping[3 * i], motion);
     }
@@ -102,15 +93,14 @@ static void age(void)
         go_stale();
 }
 
-void field_force(const struct motion *motion, int32_t force[3])
+const int32_t *field_force(const struct motion *motion)
 {
     age();
-    for (uint8_t i = 0; i < 3; i++) {
-        force[i] = now.offset[i];
-        if (now.pushing)
-            force[i] -= hold(&now.stiffness[3 * i], &now.damping[3 * i], motion);
-    }
-    memcpy(now.force, force, sizeof(now.force));
+    memcpy(now.force, now.offset, sizeof(now.force));
+    if (now.pushing)
+        for (uint8_t i = 0; i < 3; i++)
+            now.force[i] -= hold(&now.stiffness[3 * i], &now.damping[3 * i], motion);
+    return now.force;
 }
 
 bool field_is_fresh(void)

@@ -19,8 +19,8 @@ void field_forget(void);
 /* Take a legal field; its wrench comes in a ramp as long as the last field stood. */
 void field_take(const struct field *field, const struct motion *motion);
 
-/* Let a tick pass and give the force. */
-void field_force(const struct motion *motion, int32_t force[3]);
+/* Let a tick pass and give the force of the three axes. */
+const int32_t *field_force(const struct motion *motion);
 
 /* Tell whether a field is in force and not stale. */
 bool field_is_fresh(void);

@@ -168,7 +168,7 @@ static inline bool configuration_is_legal(const struct configuration *configurat
         if (configuration->encoder_sign[i] < -1 || configuration->encoder_sign[i] > 1)
             return false;
     for (uint8_t i = 0; i < 3; i++)
-        if (configuration->counts_per_degree[i] < 256)
+        if (configuration->counts_per_degree[i] < 512)
             return false;
     for (uint8_t i = 0; i < 3; i++)
         if (configuration->centring_stiffness[i] < 0 || configuration->centring_stiffness[i] > 16383)

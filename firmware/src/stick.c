@@ -57,27 +57,26 @@ static int32_t own_force(uint8_t i)
                     (multiply(config.centring_damping[i], stick.motion.rate[i]) >> 3);
 
     if (config.gravity[i]) {
-        uint16_t angle = ((int32_t)position * derived.angle_per_count[i]) >> 8;
+        uint16_t angle = multiply(position, derived.angle_per_count[i]) >> 8;
 
         force -= multiply(config.gravity[i], sine(angle)) >> 5;
     }
     return force;
 }
 
-/* To whole PWM steps; beyond +-2047 the share could not be taken in 32 bits. */
+/* To whole PWM steps, 1023 at most. */
 static int16_t to_duty(int32_t force, uint16_t share)
 {
-    const int32_t most = 2047L << 10;
+    const int32_t most = 1023L << 10;
 
     force = force > most ? most : force < -most ? -most : force;
-    return ((force * share >> 8) + 512) >> 10;
+    return (multiply(force >> 5, share) + 4096) >> 13;
 }
 
 void stick_push(uint16_t share)
 {
-    int32_t force[3];
+    const int32_t *force = field_force(&stick.motion);
 
-    field_force(&stick.motion, force);
     stick.signs = 0;
     for (uint8_t i = 0; i < 3; i++) {
         int16_t wanted = to_duty(force[i] + own_force(i), share);

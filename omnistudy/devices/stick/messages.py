@@ -368,7 +368,7 @@ LIMITS = {
     Configuration: {
         "motor_sign": (-1, 1),
         "encoder_sign": (-1, 1),
-        "counts_per_degree": (256, 65535),
+        "counts_per_degree": (512, 65535),
         "centring_stiffness": (0, 16383),
         "centring_damping": (0, 8191),
         "gravity": (-255, 255),
