@@ -7,10 +7,7 @@
 #define AXES 3
 
 /* Encoders: x on D20 (A) and D21 (B), y on D18 and D19, theta on D3 and D2. All six are external
- * interrupts. A pair is read as (A << 1) | B. */
-#define READ_X() (PIND & 3)
-#define READ_Y() ((PIND >> 2) & 3)
-#define READ_THETA() ((PINE >> 4) & 3)
+ * interrupts: PD1 and PD0, PD3 and PD2, PE5 and PE4; encoder.c reads a pair as (A << 1) | B. */
 
 /* Amplifiers' enable line: D22, high enables; a resistor to ground on the board keeps it low while
  * the pin floats. */
