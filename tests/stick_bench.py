@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from omnistudy.devices.stick.emulator import EmulatedStick
+from omnistudy.devices.stick.emulator import EmulatedStick, Mechanism
 from omnistudy.devices.stick.line import StickLine
 from omnistudy.devices.stick.messages import Field, Telemetry
 
@@ -34,8 +34,8 @@ def diagonal(value: float) -> tuple[float, ...]:
 class Bench:
     """A board on the bench: contacts closed, its line, and short ways to get it going."""
 
-    def __init__(self) -> None:
-        self.board = EmulatedStick()
+    def __init__(self, mechanisms: tuple[Mechanism, ...] | None = None) -> None:
+        self.board = EmulatedStick(mechanisms)
         self.line = StickLine(self.board)
         self.board.press_estop(False)
         self.board.hold_dead_man(True)

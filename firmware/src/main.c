@@ -13,7 +13,7 @@
 
 /* Frames are read while the tick has this much time left; so the next one is never late by them. */
 #define READING_ENDS 14500
-#define OBEYING_ENDS 10500
+#define OBEYING_ENDS 11500
 
 static uint32_t tick;
 static uint16_t busy;

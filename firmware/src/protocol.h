@@ -96,10 +96,10 @@ static inline bool field_is_legal(const struct field *field)
         if (field->about[i] < -16376 || field->about[i] > 16376)
             return false;
     for (uint8_t i = 0; i < 9; i++)
-        if (field->stiffness[i] < -16383 || field->stiffness[i] > 16383)
+        if (field->stiffness[i] < -32760 || field->stiffness[i] > 32760)
             return false;
     for (uint8_t i = 0; i < 9; i++)
-        if (field->damping[i] < -8191 || field->damping[i] > 8191)
+        if (field->damping[i] < -32760 || field->damping[i] > 32760)
             return false;
     if (field->valid_for < 1 || field->valid_for > 250)
         return false;

@@ -361,8 +361,8 @@ LIMITS = {
     Field: {
         "wrench": (-32736, 32736),
         "about": (-16376, 16376),
-        "stiffness": (-16383, 16383),
-        "damping": (-8191, 8191),
+        "stiffness": (-32760, 32760),
+        "damping": (-32760, 32760),
         "valid_for": (1, 250),
     },
     Configuration: {

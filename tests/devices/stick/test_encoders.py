@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 import pytest
 from stick_bench import Bench
 
 RATED = 10_000
-"""Edges a second and axis at the velocity trip of x and y (theta: twice that)."""
+"""Edges a second and axis at the velocity trip."""
 PRESSING = 16_000
 OVERLOAD = 40_000
 
@@ -27,13 +25,27 @@ def test_counts_are_exact_at_any_edge_rate(bench: Bench, rate: int) -> None:
         assert last.glitches == 0
 
 
-def test_no_tick_is_missed_at_the_rated_speed(bench: Bench) -> None:
-    bench.arm(travel=(2047, 2047, 2047))
+@pytest.mark.parametrize("line", [0, 1])
+def test_a_short_pulse_on_a_line_is_no_step(bench: Bench, line: int) -> None:
+    bench.board.turn(0, 50, 2_000)
     bench.line.listen(0.05)
-    for axis, rate in enumerate((RATED, RATED, 2 * RATED)):
-        bench.board.turn(axis, 1_500, rate - 500)
-    heard = bench.line.listen(0.07)
-    assert heard[-1].missed == 0
-    assert [b.tick - a.tick for a, b in pairwise(heard)] == [1] * 69
-    assert heard[-1].faults & 0xFF == 0
-    assert heard[-1].signs & 0x20
+    for microseconds in (0.5, 2, 10, 40, 200):
+        bench.board.glitch(0, line, microseconds * 1e-6)
+        bench.line.listen(0.003)
+    assert bench.line.listen(0.002)[-1].position == (50, 0, 0)
+    bench.board.turn(0, 0, 2_000)
+    assert bench.line.listen(0.05)[-1].position == (0, 0, 0)
+
+
+def test_glitches_while_turning_are_seen_or_do_no_harm(bench: Bench) -> None:
+    bench.board.turn(1, 1000, RATED)
+    for _ in range(60):
+        bench.board.glitch(1, 0, 3e-6)
+        bench.line.listen(0.0017)
+    last = bench.line.listen(0.02)[-1]
+    assert abs(last.position[1] - 1000) <= 2 * last.glitches
+
+
+def test_a_lost_step_is_counted_as_illegal(bench: Bench) -> None:
+    bench.board.jump(2)
+    assert bench.line.listen(0.005)[-1].glitches == 1

@@ -116,8 +116,9 @@ def test_letting_go_of_the_dead_man_s_switch_acts_at_the_next_tick(bench: Bench)
     bench.line.arm()
 
 
-@pytest.mark.parametrize(("axis", "rate"), [(0, 10), (1, 10), (2, 20)])
-def test_the_velocity_trip(bench: Bench, axis: int, rate: int) -> None:
+@pytest.mark.parametrize("axis", [0, 1, 2])
+def test_the_velocity_trip(bench: Bench, axis: int) -> None:
+    rate = 10  # counts/ms
     bench.bare(travel=(2047, 2047, 2047))
     push(bench)
     bench.board.turn(axis, 500, 0.9 * rate * 1000)
