@@ -60,6 +60,26 @@ class Refused(OmnistudyError):
         super().__init__(f"the stick refused '{request}': {reason}")
 
 
+class CannotBePrescribed(OmnistudyError):
+    """A device with a mechanism of its own, moved by an operator that only knows positions."""
+
+    def __init__(self, device: str) -> None:
+        super().__init__(
+            f"device '{device}' has a mechanism that a hand moves; a recorded operator prescribes "
+            "positions: use device 'simulated_stick' or 'direct' for it"
+        )
+
+
+class WentSoft(OmnistudyError):
+    """A stick that took its force away during a trial."""
+
+    def __init__(self, state: str, faults: str) -> None:
+        super().__init__(
+            f"the stick went soft during the trial (state {state}; {faults}): "
+            "find the cause, clear the faults and repeat the trial"
+        )
+
+
 class WrongProtocol(OmnistudyError):
     """A stick that speaks another version of the protocol."""
 

@@ -8,14 +8,12 @@ from __future__ import annotations
 import ctypes
 from dataclasses import dataclass
 from functools import cache
+from math import ceil
+from weakref import finalize
 
+from omnistudy.devices.simulated_stick import DEGREES_PER_COUNT, Axis, SimulatedStick
 from omnistudy.devices.stick import toolchain
-from omnistudy.devices.stick_scale import (
-    FORCE_AT_FULL_DUTY,
-    FULL_DUTY,
-    TORQUE_AT_FULL_DUTY,
-    StickScale,
-)
+from omnistudy.devices.stick.conversion import handle_scale
 from omnistudy.errors.devices import ProcessorCrashed
 
 HERTZ = 16_000_000
@@ -43,18 +41,18 @@ class Mechanism:
     lever: float = 1.0
 
 
-def published_mechanisms() -> tuple[Mechanism, Mechanism, Mechanism]:
-    """Give the thesis's stick (Tyagi 2017, eq. 3.2): psi/u = 899/(s(s+17.2)), motor degrees."""
-    scale = StickScale()
-    force = FORCE_AT_FULL_DUTY / FULL_DUTY
-    torque = TORQUE_AT_FULL_DUTY / FULL_DUTY
-    count, turn = scale.metres_per_count, scale.radians_per_count
-    mass, inertia = force / (899.0 * 4.0 * count), torque / (899.0 * 4.0 * turn)
-    return (
-        Mechanism(mass, 17.2 * mass, count, force, 300 * count, 100 * force, scale.lever),
-        Mechanism(mass, 17.2 * mass, count, force, 300 * count, 70 * force, scale.lever),
-        Mechanism(inertia, 17.2 * inertia, turn, torque, 1440 * turn),
-    )
+def mechanisms(stick: SimulatedStick) -> tuple[Mechanism, Mechanism, Mechanism]:
+    """Give the axes of a stick described as the simulated one is (Tyagi 2017, eq. 3.2)."""
+    scale = handle_scale(stick)
+
+    def axis(number: int, told: Axis, lever: float) -> Mechanism:
+        count, duty = scale.per_count[number], scale.per_duty[number]
+        mass = duty / (told.gain * count / DEGREES_PER_COUNT)
+        weight = told.gravity * duty
+        return Mechanism(mass, told.pole * mass, count, duty, told.travel * count, weight, lever)
+
+    lever = stick.scale.lever
+    return axis(0, stick.x, lever), axis(1, stick.y, lever), axis(2, stick.theta, 1.0)
 
 
 @cache
@@ -96,12 +94,16 @@ def _library() -> ctypes.CDLL:
 class EmulatedStick:
     """The board with firmware and mechanism; the mechanism stands still until `release`."""
 
-    def __init__(self, mechanisms: tuple[Mechanism, ...] | None = None) -> None:
-        """Power the board up; raises NoToolchain where the emulator cannot be compiled."""
+    def __init__(self, axes: tuple[Mechanism, ...] | None = None) -> None:
+        """Power the board up; raises NoToolchain where the emulator cannot be compiled.
+
+        axes : the mechanism behind it; the published stick unless given.
+        """
         self._library = _library()
         self._board = self._library.emulator_new(str(toolchain.build().firmware).encode())
+        self._end = finalize(self, self._library.emulator_free, self._board)
         self._buffer = ctypes.create_string_buffer(1 << 16)
-        for axis, mechanism in enumerate(mechanisms or published_mechanisms()):
+        for axis, mechanism in enumerate(axes or mechanisms(SimulatedStick())):
             for name, value in vars(mechanism).items():
                 self.set(axis, name, value)
             self.set(axis, "motor", 1.0)
@@ -122,9 +124,7 @@ class EmulatedStick:
 
     def close(self) -> None:
         """Take the board away."""
-        if self._board is not None:
-            self._library.emulator_free(self._board)
-            self._board = None
+        self._end()
 
     @property
     def cycle(self) -> int:
@@ -133,7 +133,7 @@ class EmulatedStick:
 
     def run(self, seconds: float) -> None:
         """Let emulated time pass; raises ProcessorCrashed."""
-        if not self._library.emulator_run(self._board, round(seconds * HERTZ)):
+        if not self._library.emulator_run(self._board, ceil(seconds * HERTZ)):
             raise ProcessorCrashed(self.cycle)
 
     def received(self) -> bytes:
