@@ -28,9 +28,7 @@ class NoFirmware(OmnistudyError):
     """The firmware's sources are not where they should be."""
 
     def __init__(self, folder: object) -> None:
-        super().__init__(
-            f"the firmware's sources are not in {folder}: run from a checkout of omnistudy"
-        )
+        super().__init__(f"the firmware's sources are not in {folder}: install omnistudy anew")
 
 
 class ProcessorCrashed(OmnistudyError):
@@ -87,4 +85,42 @@ class WrongProtocol(OmnistudyError):
         super().__init__(
             f"the stick speaks protocol version {theirs}, this omnistudy speaks {ours}: "
             "flash the firmware of this release (firmware/README.md)"
+        )
+
+
+class NoPort(OmnistudyError):
+    """A serial port that cannot be opened."""
+
+    def __init__(self, path: str, cause: str, attached: Sequence[str]) -> None:
+        there = f"attached are {', '.join(attached)}" if attached else "no stick is attached"
+        super().__init__(f"the port {path} cannot be opened ({cause}): {there}")
+
+
+class WhichPort(OmnistudyError):
+    """No port was named, and there is none or more than one."""
+
+    def __init__(self, attached: Sequence[str]) -> None:
+        if attached:
+            super().__init__(f"several serial ports are attached, name one: {', '.join(attached)}")
+        else:
+            super().__init__(
+                "no stick is attached: plug one in, or try `omnistudy device emulate` and name the "
+                "port that it prints"
+            )
+
+
+class PortLost(OmnistudyError):
+    """A serial port that went away while it was in use."""
+
+    def __init__(self, path: str) -> None:
+        super().__init__(f"the stick at {path} was unplugged: plug it in again and check it")
+
+
+class NoTelemetry(OmnistudyError):
+    """A port at which nothing speaks our protocol."""
+
+    def __init__(self, seconds: float) -> None:
+        super().__init__(
+            f"nothing that speaks the stick's protocol was heard for {seconds:g} s: "
+            "check power and port, and that the firmware is flashed (firmware/README.md)"
         )

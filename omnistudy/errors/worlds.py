@@ -40,7 +40,9 @@ class BrokenSdf(OmnistudyError):
     """A Gazebo world that cannot be imported."""
 
     def __init__(self, file: Path, fault: str) -> None:
-        super().__init__(f"{file}: {fault}; boxes, cylinders, planes and actors in SDF can be imported")
+        super().__init__(
+            f"{file}: {fault}; boxes, cylinders, planes and actors in SDF can be imported"
+        )
 
 
 class BrokenMap(OmnistudyError):

@@ -32,7 +32,7 @@ def driven(device: RunningDevice, steps: int = 240) -> np.ndarray:
 
 
 def test_default_settings_are_the_simulated_stick_s() -> None:
-    # But for y's gravity lever, which the simulated stick has as x's, and the margin beyond the stop.
+    # But for y's gravity lever, which the simulated stick has as x's, and theta's margin.
     wanted = DEFAULT_CONFIGURATION._replace(
         counts_per_degree=(3072, 3072, 1024), travel=(360, 360, 1728)
     )
@@ -44,7 +44,9 @@ def test_a_field_in_device_units() -> None:
     sent = handle_scale(SimulatedStick()).wire(field)
     assert [value / 32 for value in sent.wrench] == [255, -255, 255]
     # 300 N/m of 13.5 N in 255 steps and 0.095 m·pi/180/12 a count.
-    assert sent.stiffness[0] / 1024 == pytest.approx(300 * 255 / 13.5 * 0.095 * np.pi / 2160, abs=1e-3)
+    assert sent.stiffness[0] / 1024 == pytest.approx(
+        300 * 255 / 13.5 * 0.095 * np.pi / 2160, abs=1e-3
+    )
     assert sent.valid_for == 100
 
 
@@ -58,10 +60,10 @@ def test_nothing_is_powered_up_to_be_described() -> None:
 def test_firmware_and_simulation_move_alike() -> None:
     emulated = driven(EmulatedStickDevice().connect(PHYSICS_HZ))
     simulated = driven(SimulatedStick().connect(PHYSICS_HZ))
-    reach = np.abs(simulated).max(axis=0)
-    print(np.abs(emulated - simulated).max(axis=0), reach, emulated[-1]-simulated[-1])
-    assert np.abs(emulated - simulated).max(axis=0) == pytest.approx(0.0, abs=0.1 * reach.max())
-    assert np.abs(emulated[-1] - simulated[-1]) == pytest.approx([0, 0, 0], abs=0.03 * reach.max())
+    apart = np.abs(emulated - simulated)
+    assert (apart.max(axis=0) < 0.08 * np.abs(simulated).max(axis=0)).all()
+    # At rest they differ by a count at most.
+    assert (apart[-1] < 1.01 * np.array(handle_scale(SimulatedStick()).per_count)).all()
 
 
 @pytest.mark.usefixtures("toolchain")
@@ -74,6 +76,10 @@ def test_a_prescribed_hand_is_refused() -> None:
 @pytest.mark.usefixtures("toolchain")
 def test_a_stick_that_goes_soft_ends_the_trial() -> None:
     running = EmulatedStickDevice().connect(PHYSICS_HZ)
-    with pytest.raises(WentSoft, match="SILENT"):
-        for _ in range(PHYSICS_HZ):  # no field ever comes
+
+    def let_half_a_second_pass_without_a_field() -> None:
+        for _ in range(PHYSICS_HZ // 2):
             running.advance(GRIP)
+
+    with pytest.raises(WentSoft, match="SILENT"):
+        let_half_a_second_pass_without_a_field()

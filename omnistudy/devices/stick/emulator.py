@@ -41,6 +41,10 @@ class Mechanism:
     lever: float = 1.0
 
 
+RELAXED_HAND = ((200.0, 10.0, 0.3), (200.0, 10.0, 0.3), (5.0, 0.1, 0.0015))
+"""Stiffness, damping and mass of each axis, SI (ours)."""
+
+
 def mechanisms(stick: SimulatedStick) -> tuple[Mechanism, Mechanism, Mechanism]:
     """Give the axes of a stick described as the simulated one is (Tyagi 2017, eq. 3.2)."""
     scale = handle_scale(stick)

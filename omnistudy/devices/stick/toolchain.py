@@ -16,7 +16,10 @@ from typing import NamedTuple
 
 from omnistudy.errors.devices import NoFirmware, NoToolchain, ToolchainFailed
 
-SOURCES = Path(__file__).resolve().parents[3] / "firmware"
+PACKAGE = Path(__file__).resolve().parents[2]
+PACKED = PACKAGE / "_firmware"
+SOURCES = PACKED if PACKED.is_dir() else PACKAGE.parent / "firmware"
+"""The firmware's and the emulator's sources: in the wheel, else in the checkout."""
 SIMAVR_HEADER = Path("/usr/include/simavr/sim_avr.h")
 PROGRAMS = {"avr-gcc": "gcc-avr", "cc": "gcc", "make": "make"}
 """Program -> Debian package."""
