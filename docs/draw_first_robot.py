@@ -21,6 +21,7 @@ from first_robot import (
     forces,
     jumps,
     pass_corner,
+    sensors_table,
 )
 
 from omnistudy.laws.boundary import Boundary, RectangularBoundary
@@ -123,7 +124,7 @@ def draw_driven(driven: dict[str, list[Rehearsed]], path: Path) -> None:
             t, force = force_of(driven[name][0])
             axes.plot(t, np.hypot(*force.T), color=colour, linewidth=0.8)
             axes.set(ylabel="force in N")
-            axes.set_title(NAMES[name], fontsize=9, loc="left")
+            axes.set_title(f"{NAMES[name]} (virtual participant)", fontsize=9, loc="left")
         panels[-1].set_xlabel("s since the trial opened")
 
 
@@ -133,7 +134,8 @@ def main() -> None:
     draw_corner(IMAGES / "first_robot_corner.png")
     draw_boundaries(IMAGES / "first_robot_boundaries.png")
     driven = drive()
-    print("\n".join(driven_table(driven)))
+    print("\n".join(driven_table(driven)), end="\n\n")
+    print("\n".join(sensors_table()))
     draw_driven(driven, IMAGES / "first_robot_driven.png")
 
 

@@ -42,8 +42,18 @@ BESIDE = -0.5
 BIG = 0.1
 """A change of more than this part of the force beside the wall is counted."""
 
-FAULTLESS = InfraredRing(noise=0.0, interference=0.0, cutoff=1e6)
-FAULTLESS_DRIVEN = "six_rays, faultless"
+SENSORS: dict[str, dict[str, float | str]] = {
+    "faultless": {"noise": 0.0, "interference": 0.0, "cutoff": 1e6},
+    "as they are, without interference": {"interference": 0.0},
+    "interference in one scan of 200": {"interference": 0.005},
+    "as they are: in one scan of 50": {},
+    "in one scan of 20": {"interference": 0.05},
+    "rates from ranges, without interference": {"rates_from": "ranges", "interference": 0.0},
+    "rates from ranges": {"rates_from": "ranges"},
+}
+"""What is changed in the six sensors, one after the other."""
+
+FAULTLESS = InfraredRing.model_validate(SENSORS["faultless"])
 RATES_FROM_RANGES = InfraredRing(rates_from="ranges")
 UNSTEADY_FROM = 5.0
 """Hz: faster than anybody steers (the thesis's own band for steering ends at 2 Hz)."""
@@ -225,16 +235,28 @@ def _power(signal: Floats, hz: float) -> tuple[float, float]:
 
 
 def drive() -> dict[str, list[Rehearsed]]:
-    """Let every participant drive once in each condition, and once with faultless sensors."""
-    protocol = _protocol()
-    sensors = FAULTLESS.model_dump(exclude_unset=True) | {"kind": FAULTLESS.kind}
-    faultless = compose_protocol(PROTOCOL, [f"+plant.sensors.{k}={v}" for k, v in sensors.items()])
-    driven: dict[str, list[Rehearsed]] = {name: [] for name in (FAULTLESS_DRIVEN, *CONDITIONS)}
-    for slot in range(protocol.participants.count):
-        driven[FAULTLESS_DRIVEN].extend(rehearse(faultless, CONDITIONS[:1], slot))
-        for one in rehearse(protocol, CONDITIONS, slot):
+    """Let every participant of the protocol drive once in each condition."""
+    driven: dict[str, list[Rehearsed]] = {name: [] for name in CONDITIONS}
+    for slot in range(_protocol().participants.count):
+        for one in rehearse(_protocol(), CONDITIONS, slot):
             driven[one.condition].append(one)
     return driven
+
+
+def sensors_table() -> list[str]:
+    """Give the rows of the table of six rays driven with other sensors."""
+    rows = [f"| six sensors | power above {UNSTEADY_FROM:g} Hz |", "| --- | --- |"]
+    for name, changes in SENSORS.items():
+        protocol = compose_protocol(
+            PROTOCOL, [f"+plant.sensors.{key}={value}" for key, value in changes.items()]
+        )
+        fast = [
+            100 * steadiness(one, protocol.recording.sample_hz).unsteady
+            for slot in range(protocol.participants.count)
+            for one in rehearse(protocol, CONDITIONS[:1], slot)
+        ]
+        rows.append(f"| {name} | {np.mean(fast):.2f} % ({min(fast):.2f} to {max(fast):.2f}) |")
+    return rows
 
 
 def driven_table(driven: dict[str, list[Rehearsed]]) -> list[str]:
@@ -254,7 +276,7 @@ def driven_table(driven: dict[str, list[Rehearsed]]) -> list[str]:
         found = [steadiness(one, hz) for one in trials]
         fast = [100 * one.unsteady for one in found]
         rows.append(
-            f"| {name} | {np.mean([one.rms for one in found]):.2f} N | {np.mean(fast):.2f} % "
+            f"| `{name}` | {np.mean([one.rms for one in found]):.2f} N | {np.mean(fast):.2f} % "
             f"({min(fast):.2f} to {max(fast):.2f}) | "
             f"{100 * np.mean([one.felt for one in found]):.0f} % | "
             f"{np.mean([one.stick for one in found]):.2f} mm | "

@@ -28,12 +28,14 @@ OUTCOMES = {
 GROUPS = 2000
 """Groups of participants drawn for an interval."""
 CONFIDENCE = 0.95
+ROUNDING = 1e-12
+"""Relative spread below which numbers are the same."""
 WORST = 0.1
 """Part of the nuisance points that counts as the worst."""
 
 
 class Spread(NamedTuple):
-    """A number with its interval; NaN, NaN when there are fewer than two participants."""
+    """A number with its interval; NaN, NaN when participants show no spread."""
 
     value: float
     interval: Interval
@@ -249,9 +251,10 @@ def _with_interval(
     """Put a t interval of the bootstrap's standard error round a value.
 
     Percentiles of few participants are too narrow, and their far tails, which many comparisons ask
-    for, are not reached by any number of draws; for a mean this is Student's own interval.
+    for, are not reached by any number of draws; for a mean this is Student's own interval. One
+    participant, or several who are all alike, show no spread to make an interval of.
     """
-    if participants < 2:
+    if participants < 2 or drawn.std() <= ROUNDING * (1.0 + abs(value)):
         return Spread(value, UNKNOWN)
     error = float(drawn.std()) * sqrt(participants / (participants - 1))
     tail = (1.0 - CONFIDENCE) / (2 * comparisons)

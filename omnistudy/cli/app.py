@@ -45,6 +45,7 @@ NOUNS = {
     "plant": Noun("Robots in their physics."),
     "device": Noun("What is held: the joystick and its stand-ins."),
     "world": Noun("Worlds to drive through."),
+    "arm": Noun("Arms on wheelchairs, and tasks solved without physics."),
     "task": Noun("What is to be done in a trial."),
     "operator": Noun("Who drives: the virtual driver, a recording."),
     "order": Noun("Orders: who meets which condition when."),

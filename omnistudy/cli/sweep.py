@@ -3,27 +3,20 @@
 from __future__ import annotations
 
 from contextlib import ExitStack
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from typer.core import TyperGroup
 
-from omnistudy.cli.arguments import AsJson, ProtocolArgument, Workers, protocol_names
-from omnistudy.cli.output import Advance, print_json, print_line, print_table, progress
-from omnistudy.cli.sweep_output import print_left, print_plan, print_ranking
+from omnistudy.cli.arguments import ProtocolArgument, Workers, protocol_names
+from omnistudy.cli.output import Advance, print_line, progress
+from omnistudy.cli.sweep_choice import known_outcomes, list_sweeps, show, take
+from omnistudy.cli.sweep_output import print_left, print_plan
 
 if TYPE_CHECKING:
-    import pandas as pd
-
-    from omnistudy.analysis.sweep import Ranking
-    from omnistudy.session.sweep.folder import SweepFolder
     from omnistudy.session.sweep.planning import Question, SweepPlan
-    from omnistudy.session.sweep.question import Sweep
 
 RUN = "run"
-SHOWN = 20
-"""Rows that `show` prints unless `--all` asks for more."""
 PLANNED_AT_ONCE = 100
 """Points that are planned without a word."""
 
@@ -56,43 +49,11 @@ app = typer.Typer(
 )
 
 
-def known_sweeps() -> list[str]:
-    """Complete a sweep's name."""
-    from omnistudy.session.sweep.folder import sweep_names
-
-    return list(sweep_names())
-
-
 def known_launchers() -> list[str]:
     """Complete a launcher's name."""
     from omnistudy.session.sweep.launchers import LAUNCHERS
 
     return list(LAUNCHERS)
-
-
-def known_outcomes() -> list[str]:
-    """Complete an outcome."""
-    from omnistudy.analysis.sweep import OUTCOMES
-
-    return list(OUTCOMES)
-
-
-SweepArgument = Annotated[
-    str | None,
-    typer.Argument(
-        help="A sweep's name; not needed when there is only one.", autocompletion=known_sweeps
-    ),
-]
-By = Annotated[
-    str,
-    typer.Option(
-        help="Rank by collisions, duration_s or work_against_j.", autocompletion=known_outcomes
-    ),
-]
-Worst = Annotated[
-    bool, typer.Option("--worst", help="Rank by the worst tenth of the nuisance, not the mean.")
-]
-Force = Annotated[bool, typer.Option("--force", help="Replace files that exist.")]
 
 
 @app.command()
@@ -169,7 +130,7 @@ def run(
 
     question = Question(
         protocol=protocol,
-        words=tuple(word for word in words if not word.startswith("hydra.")),
+        words=tuple(words),
         nuisance=tuple(nuisance or ()),
         design=tuple(design or ()),
         samples=samples,
@@ -178,8 +139,7 @@ def run(
         thinning=Thinning(tuple(condition or ()), participants, trials),
         objective=_objective(search, objective, launcher),
     )
-    own_settings = tuple(word for word in words if word.startswith("hydra."))
-    _run(question, name, launcher, workers, ray_address, own_settings, dry_run)
+    _run(question, name, launcher, workers, ray_address, dry_run)
 
 
 def _objective(search: str | None, objective: str, launcher: str | None) -> str | None:
@@ -205,7 +165,6 @@ def _run(
     launcher: str | None,
     workers: int | None,
     ray_address: str | None,
-    own_settings: tuple[str, ...],
     dry_run: bool,
 ) -> None:
     from omnistudy.session.sweep.folder import SweepFolder, sweeps_folder
@@ -236,7 +195,7 @@ def _run(
                 left,
                 chosen,
                 count,
-                own_settings=own_settings,
+                own_settings=plan.asked.launcher,
                 ray_address=ray_address,
                 finished=advance,
             )
@@ -259,121 +218,5 @@ def _planned(question: Question) -> SweepPlan:
         return plan_sweep(question, planned)
 
 
-@app.command("list")
-def list_(json: AsJson = False) -> None:
-    """List the sweeps in the folder of sweeps.
-
-    Example: omnistudy sweep list
-    """
-    from omnistudy.session.sweep.folder import SweepFolder, sweep_names, sweeps_folder
-
-    rows = []
-    for name in sweep_names():
-        folder = SweepFolder(sweeps_folder() / name)
-        sweep = folder.question()
-        points = sweep.designs * sweep.nuisances
-        rows.append((name, sweep.protocol, points, len(folder.done()), len(folder.failed())))
-    columns = ("name", "protocol", "points", "finished", "failed")
-    if json:
-        print_json([dict(zip(columns, row, strict=True)) for row in rows])
-    else:
-        print_table("Sweeps", columns, rows)
-
-
-@app.command()
-def show(
-    name: SweepArgument = None,
-    by: By = "collisions",
-    worst: Worst = False,
-    every: Annotated[bool, typer.Option("--all", help="Print every row.")] = False,
-    csv: Annotated[
-        Path | None, typer.Option(help="Write the table, one row a trial, to this file.")
-    ] = None,
-    draw: Annotated[
-        Path | None, typer.Option(help="Draw the front into this .png or .svg.")
-    ] = None,
-    force: Force = False,
-    json: AsJson = False,
-) -> None:
-    """Rank a sweep's design points and say which cannot be told apart from the best.
-
-    Also gives the front: the points that no other one beats or equals in collisions, time and work
-    against the hand together.
-
-    Example: omnistudy sweep show gains --worst --draw front.png
-    """
-    from dataclasses import asdict
-
-    from omnistudy.report.draw_sweep import draw_front
-    from omnistudy.session.sweep.folder import find_sweep
-
-    folder = find_sweep(name)
-    sweep, rows, ranking = _ranked(folder, by, worst)
-    if csv is not None:
-        if csv.exists() and not force:
-            raise typer.BadParameter(f"{csv} exists; choose another name, or --force")
-        rows.to_csv(csv, index=False)
-    if draw is not None:
-        draw_front(ranking, draw, replace=force)
-    if json:
-        print_json({"name": folder.name, "protocol": sweep.protocol, **asdict(ranking)})
-        return
-    print_ranking(folder.name, ranking, len(ranking.points) if every else SHOWN)
-
-
-def _ranked(folder: SweepFolder, by: str, worst: bool) -> tuple[Sweep, pd.DataFrame, Ranking]:
-    from omnistudy.analysis.sweep import rank
-    from omnistudy.errors.sweep import NothingRanYet
-    from omnistudy.session.sweep.folder import table
-
-    sweep = folder.question()
-    rows = table(sweep, folder.finished())
-    if rows.empty:
-        raise NothingRanYet(folder.name)
-    ranking = rank(
-        rows,
-        sweep.keys("design"),
-        sweep.nuisances,
-        sweep.design_hash,
-        by=by,
-        order="worst_tenth" if worst else "mean",
-    )
-    return sweep, rows, ranking
-
-
-@app.command()
-def take(
-    row: Annotated[int, typer.Argument(help="Row of `omnistudy sweep show`.")],
-    output: Annotated[
-        Path, typer.Option("--output", "-o", help="YAML page to write, such as chosen.yaml.")
-    ],
-    sweep: Annotated[
-        str | None,
-        typer.Option(
-            help="A sweep's name; not needed when there is only one.", autocompletion=known_sweeps
-        ),
-    ] = None,
-    by: By = "collisions",
-    worst: Worst = False,
-    force: Force = False,
-) -> None:
-    """Write a design point as a protocol's page that says where it comes from.
-
-    The page rests on the sweep's protocol and names what was chosen; the nuisance is not taken.
-
-    Example: omnistudy sweep take 3 --sweep gains -o chosen.yaml
-    """
-    from omnistudy.errors.sweep import RowOutOfRange
-    from omnistudy.report.sweep_words import provenance
-    from omnistudy.session.sweep.folder import find_sweep
-    from omnistudy.session.sweep.take import take as write
-
-    folder = find_sweep(sweep)
-    question, _, ranking = _ranked(folder, by, worst)
-    chosen = [point for point in ranking.points if point.row == row]
-    if not chosen:
-        raise RowOutOfRange(row, [point.row for point in ranking.points])
-    values = dict(zip(ranking.keys, chosen[0].values, strict=True))
-    lines = provenance(folder.name, question, ranking, chosen[0])
-    write(question, values, lines, output, replace=force)
-    print_line(f"wrote {output}: `omnistudy protocol check {output}` reads it")
+for verb, function in (("list", list_sweeps), ("show", show), ("take", take)):
+    app.command(verb)(function)

@@ -25,7 +25,7 @@ def print_plan(folder: SweepFolder, sweep: Sweep) -> None:
     print_line(
         f"{sweep.designs * sweep.nuisances} points ({sweep.designs} design x {sweep.nuisances} "
         f"nuisance), {len(sweep.trials)} trials each: {people} participants, conditions "
-        f"{', '.join(sweep.conditions)}"
+        f"{', '.join(sweep.driven)}"
     )
 
 
@@ -34,10 +34,11 @@ def print_left(left: Remaining, how: str, workers: int) -> None:
     if not left.points:
         print_line("nothing is left to run")
         return
+    took = f"about {_duration(left.seconds(workers))} ({left.seconds_a_trial:.2g} s a trial)"
     print_line(
         f"to run: {left.trials} trials at {left.points} points with {how}, {workers} "
-        f"{'worker' if workers == 1 else 'workers'}: about {_duration(left.seconds(workers))} "
-        f"({left.seconds_a_trial:.2g} s a trial)"
+        f"{'worker' if workers == 1 else 'workers'}: "
+        f"{took if left.seconds_a_trial else 'no time is known, for the first trial fails'}"
     )
 
 

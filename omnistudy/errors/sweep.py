@@ -241,8 +241,8 @@ class LauncherFailed(OmnistudyError):
 
     def __init__(self, launcher: str, cause: str) -> None:
         super().__init__(
-            f"the launcher '{launcher}' stopped ({cause}); what was finished is kept: the same "
-            "command goes on, with --launcher basic if it happens again"
+            f"the launcher '{launcher}' stopped ({cause}); what was finished is kept: mend that, "
+            "or choose another --launcher, and the same command goes on"
         )
 
 

@@ -62,6 +62,16 @@ class NoFreeSpace(OmnistudyError):
         )
 
 
+class TooManyBoxes(OmnistudyError):
+    """A map of specks that no few boxes can stand for."""
+
+    def __init__(self, file: Path, most: int) -> None:
+        super().__init__(
+            f"{file}: its occupied cells need more than {most} boxes: is the image a map? Clear it "
+            "of specks, cut out what is driven through, or make its cells coarser"
+        )
+
+
 class NoRoute(OmnistudyError):
     """A world that nobody can drive through yet."""
 

@@ -27,6 +27,10 @@ BUILT_IN: Mapping[str, Mapping[str, str]] = {
         "rate": "omnistudy.controllers.rate:RateController",
         "direct": "omnistudy.controllers.direct:DirectController",
         "differential": "omnistudy.controllers.differential:DifferentialController",
+        "sri_wln": "omnistudy.controllers.sri_wln:SriWln",
+        "pi_wln": "omnistudy.controllers.pi_wln:PiWln",
+        "sri_ene": "omnistudy.controllers.sri_ene:SriEne",
+        "pi_ene": "omnistudy.controllers.pi_ene:PiEne",
         "power_assist": "omnistudy.controllers.power_assist:PowerAssistController",
     },
     "plants": {

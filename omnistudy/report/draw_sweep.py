@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from omnistudy.analysis.sweep import OUTCOMES, Ranking
+from omnistudy.analysis.sweep import OUTCOMES, DesignPoint, Ranking
 from omnistudy.pictures import picture
 
 if TYPE_CHECKING:
@@ -39,22 +40,16 @@ def draw_front(ranking: Ranking, path: Path, *, replace: bool = False) -> None:
 
 
 def _draw_panel(ranking: Ranking, axes: Axes, column: str) -> None:
-    tied = f"not told apart from the best ({ranking.order.replace('_', ' ')} of {ranking.by})"
-    for colour, label, chosen in (
-        (OTHER, "others", [p for p in ranking.points if not p.tied and not p.in_front]),
-        (TIED, tied, [p for p in ranking.points if p.tied and not p.in_front]),
-        (FRONT, "front", [p for p in ranking.points if p.in_front]),
-    ):
-        if chosen:
-            axes.scatter(
-                [point.outcomes["collisions"] for point in chosen],
-                [point.outcomes[column] for point in chosen],
-                color=colour,
-                edgecolor=[TIED if point.tied else colour for point in chosen],
-                linewidth=1.5,
-                s=28,
-                label=label,
-            )
+    groups = (
+        ([point for point in ranking.points if not point.in_front], OTHER, "dominated"),
+        ([point for point in ranking.points if point.in_front], FRONT, "front"),
+    )
+    for chosen, colour, label in groups:
+        _scatter(axes, chosen, column, color=colour, s=24, label=label)
+    by = f"{ranking.order.replace('_', ' ')} of {ranking.by}"
+    tied = [point for point in ranking.points if point.tied]
+    label = f"not told apart from the best ({by})"
+    _scatter(axes, tied, column, facecolor="none", edgecolor=TIED, s=80, label=label)
     front = [point for point in ranking.points if point.in_front]
     for point in front[:LABELLED]:
         axes.annotate(
@@ -67,3 +62,12 @@ def _draw_panel(ranking: Ranking, axes: Axes, column: str) -> None:
     axes.set_xlabel(OUTCOMES["collisions"])
     axes.set_ylabel(OUTCOMES[column])
     axes.spines[["top", "right"]].set_visible(False)
+
+
+def _scatter(axes: Axes, points: Sequence[DesignPoint], column: str, **style: Any) -> None:
+    if points:
+        axes.scatter(
+            [point.outcomes["collisions"] for point in points],
+            [point.outcomes[column] for point in points],
+            **style,
+        )

@@ -26,7 +26,7 @@ def provenance(name: str, sweep: Sweep, ranking: Ranking, point: DesignPoint) ->
         f"time {point.outcomes['duration_s']:.4g} s, work against the hand "
         f"{point.outcomes['work_against_j']:.4g} J, {point.timed_out:.0%} of trials out of time",
         f"over {ranking.nuisance_points} nuisance points ({' '.join(met) or 'none swept'}) and "
-        f"{ranking.participants} virtual participants, conditions {', '.join(sweep.conditions)}",
+        f"{ranking.participants} virtual participants, conditions {', '.join(sweep.driven)}",
     )
 
 

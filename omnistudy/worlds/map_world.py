@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import islice
 from math import cos, sin
 from pathlib import Path
 from typing import NamedTuple
@@ -10,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from omnistudy.errors.worlds import NoFreeSpace
+from omnistudy.errors.worlds import NoFreeSpace, TooManyBoxes
 from omnistudy.geometry import PlanarPose
 from omnistudy.worlds.goal import goal_block, way_to
 from omnistudy.worlds.grid import Grid
@@ -18,6 +19,9 @@ from omnistudy.worlds.map_server import FREE, OCCUPIED, UNKNOWN, MapPage, read_m
 from omnistudy.worlds.rectangles import rectangles
 from omnistudy.worlds.route import Point
 from omnistudy.worlds.world import Start, World
+
+MOST_BOXES = 20_000
+"""Boxes that a map may need (ours); with so many, physics is about four times as fast as life."""
 
 
 class ImportedMap(NamedTuple):
@@ -50,15 +54,18 @@ def import_map(
     start : None puts the robot where it is furthest from anything occupied.
     goal : None makes a world without a route. path : points in m between start and goal.
 
-    Raises BrokenMap, NoFreeSpace or NoWay.
+    Raises BrokenMap, NoFreeSpace, TooManyBoxes or NoWay.
     """
     page, cells = read_map(file)
     solid = cells == OCCUPIED
     unknown = int((cells == UNKNOWN).sum())
     if not (free := cells == FREE).any():
         raise NoFreeSpace(file, int(solid.sum()), unknown)
+    blocks = tuple(islice(rectangles(solid), MOST_BOXES + 1))
+    if len(blocks) > MOST_BOXES:
+        raise TooManyBoxes(file, MOST_BOXES)
     x, y, yaw = page.origin
-    grid = Grid(resolution=page.resolution, x=x, y=y, theta=yaw, blocks=rectangles(solid))
+    grid = Grid(resolution=page.resolution, x=x, y=y, theta=yaw, blocks=blocks)
     begin = start or _widest(page, solid, free)
     world = World(
         name=name or file.stem,

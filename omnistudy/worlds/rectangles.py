@@ -25,23 +25,21 @@ class Rectangle(NamedTuple):
         return self.columns * self.rows
 
 
-def rectangles(cells: Cells) -> tuple[Rectangle, ...]:
+def rectangles(cells: Cells) -> Iterator[Rectangle]:
     """Cover the true cells (rows, columns) with rectangles that do not overlap, greedily.
 
     From the first free cell in reading order the larger of two is taken: the whole run to the
     right as far down as it goes, or the run down as far to the right as it goes.
     """
     left = cells.copy()
-    found: list[Rectangle] = []
     for row in np.flatnonzero(cells.any(axis=1)).tolist():
         for begin, end in _runs(left[row]):
             column = begin
             while column < end:
                 taken = _larger(left, row, column, end)
                 left[row : row + taken.rows, column : column + taken.columns] = False
-                found.append(taken)
+                yield taken
                 column += taken.columns
-    return tuple(found)
 
 
 def _runs(line: Cells) -> Iterator[tuple[int, int]]:

@@ -7,6 +7,7 @@ whole study runs from the command line and is read back.
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
@@ -155,3 +156,13 @@ def test_its_trials_resimulate_from_the_database(
         installed, tmp_path, RESIMULATE, str(study), f"operator.file={LAB / 'reach.csv'}"
     )
     assert printed.split() == [part for n in range(1, 5) for part in (str(n), "completed")]
+
+
+def test_its_gains_are_swept_by_workers_of_their_own(installed: Path, tmp_path: Path) -> None:
+    asked = ("reaching", "controller.gain=3,6", f"operator.file={LAB / 'reach.csv'}")
+    options = ("--condition", "slow", "--name", "gains", "--launcher", "joblib", "--workers", "2")
+    python(installed, tmp_path, COMMAND, "sweep", *asked, *options)
+    shown = python(installed, tmp_path, COMMAND, "sweep", "show", "--by", "duration_s", "--json")
+    ranking = json.loads(shown)
+    assert [point["values"] for point in ranking["points"]] == [[6], [3]]
+    assert ranking["points"][0]["outcomes"]["work_against_j"] is None, "it has no motors"

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections import Counter
 from itertools import pairwise, permutations
+from math import lcm
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -15,6 +17,7 @@ from omnistudy.protocol.ordering.permuted_blocks import PermutedBlocks
 from omnistudy.protocol.ordering.published_blocks import PublishedBlocks
 from omnistudy.protocol.ordering.staircase import Staircase
 from omnistudy.protocol.ordering.williams import Williams
+from omnistudy.protocol.routes import spread_routes
 
 LAST = ("centre_front_10", "centre_front_20", "centre_rear_10", "zero_torque")
 PUBLISHED = PublishedBlocks(blocks=("none", "full"), last=LAST)
@@ -91,6 +94,21 @@ def test_in_williams_squares_each_condition_follows_each_other_equally_often(
 
 
 @pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("routes", [1, 2, 3, 4])
+@pytest.mark.parametrize("order", [Latin(), Williams()], ids=["latin", "williams"])
+def test_every_condition_meets_every_route_equally_often(
+    order: PlannedOrder, routes: int, size: int
+) -> None:
+    count = lcm(order.period(names(size)), routes)
+    met: Counter[tuple[str, str]] = Counter()
+    for row, line in enumerate(rows(order, size, count, "seed")):
+        drawn = spread_routes("abcd"[:routes], line, row, np.random.default_rng(row))
+        met.update(zip(line, drawn, strict=True))
+    assert len(met) == size * routes
+    assert set(met.values()) == {count // routes}
+
+
+@pytest.mark.parametrize("size", SIZES)
 @pytest.mark.parametrize("order", [Latin(), Williams()], ids=["latin", "williams"])
 def test_below_its_period_a_square_says_what_is_uneven(order: PlannedOrder, size: int) -> None:
     for count in range(1, order.period(names(size))):
@@ -117,6 +135,13 @@ def test_places_may_hold_several_trials_and_rows_be_repeated() -> None:
 def test_rows_are_dealt_out_in_another_order_from_seed_to_seed() -> None:
     dealt = {tuple(rows(Williams(), 6, 6, str(seed))) for seed in range(20)}
     assert len(dealt) == 20
+
+
+def test_every_run_of_seats_meets_the_rows_in_another_order() -> None:
+    lines = rows(Latin(), 6, 60, "seed")
+    runs = [tuple(lines[start : start + 6]) for start in range(0, 60, 6)]
+    assert len(set(runs)) == 10
+    assert len({frozenset(run) for run in runs}) == 1
 
 
 @given(st.integers(1, 12), st.integers(1, 5), st.integers(0, 30), st.text())

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sqlite3
 from collections import Counter
 from contextlib import closing
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -16,8 +17,8 @@ from omnistudy.protocol import Protocol, StudyPlan
 from omnistudy.protocol.ordering.order import PastTrial, Seat
 from omnistudy.protocol.ordering.staircase import Staircase
 from omnistudy.session import run_trials
-from omnistudy.store import sample_digest
-from omnistudy.study import create_study
+from omnistudy.store import StudyWriter, sample_digest
+from omnistudy.study import OrderCheck, create_study
 
 QUICK = (
     "task.time_limit=0.05",
@@ -54,6 +55,22 @@ def test_a_staircase_chooses_each_trial_from_what_came_before(
     # Nobody reaches the finish in so short a time, so every trial fails and the next is easier.
     first = trials[trials["participant"] == "P01"]["condition"]
     assert list(first) == ["centre_front_20", "centre_front_10", "full", "none"]
+
+
+def test_a_repeated_trial_is_chosen_as_if_nothing_came_after_it(
+    staircase: Protocol, tmp_path: Path
+) -> None:
+    path = tmp_path / "stairs.db"
+    record = create_study(staircase, path, "stairs")
+    with StudyWriter.open(path) as writer:
+        planned = writer.trials("P01")
+    ended = [
+        replace(trial, condition=name, status="completed", duration_s=60.0, collisions=count)
+        for trial, name, count in zip(planned, ("centre_front_20",) * 4, (0, 9, 9, 9), strict=True)
+    ]
+    order = OrderCheck("stairs", staircase, record.design_hash)
+    assert order.chosen(planned[1], ended) == "centre_front_20"
+    assert order.chosen(planned[2], ended) == "centre_front_10"
 
 
 @pytest.mark.slow
@@ -130,6 +147,7 @@ def test_the_stored_allocation_is_the_one_of_the_plan(tmp_path: Path) -> None:
     assert [tuple(row) for row in stored[columns].itertuples(index=False)] == list(plan.allocations)
     assert list(stored["participant"]) == list(people["participant"])
     assert list(people["group"]) == list(stored["group"])
+    assert list(people["sequence"]) == [str(row) for row in stored["row"]]
     assert Counter(trials["kind"]) == {"practice": 24, "main": 72, "retention": 72}
     for allocation in plan.allocations:
         own = trials[trials["participant"] == f"P{allocation.slot + 1:02d}"]

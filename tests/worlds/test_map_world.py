@@ -10,7 +10,7 @@ import pytest
 import yaml
 from PIL import Image
 
-from omnistudy.errors.worlds import NoFreeSpace, NoRoute
+from omnistudy.errors.worlds import NoFreeSpace, NoRoute, TooManyBoxes
 from omnistudy.geometry import PlanarPose, PlanarTwist
 from omnistudy.plants.youbot import Youbot
 from omnistudy.scene import Body
@@ -101,6 +101,14 @@ def test_the_robot_starts_at_the_widest_place_or_where_it_is_told(tmp_path: Path
 def test_a_map_without_free_space_is_refused(tmp_path: Path) -> None:
     with pytest.raises(NoFreeSpace, match="no cell is free: 4 are occupied and 2 unknown"):
         import_map(drawn(tmp_path, ("###", "?#?")))
+
+
+def test_an_image_of_specks_is_refused(tmp_path: Path) -> None:
+    file = drawn(tmp_path)
+    chequered = np.indices((300, 300)).sum(axis=0) % 2 * 254
+    Image.fromarray(chequered.astype(np.uint8)).save(tmp_path / "room.pgm")
+    with pytest.raises(TooManyBoxes, match="need more than 20000 boxes"):
+        import_map(file)
 
 
 def test_a_world_without_a_route_says_what_to_add(tmp_path: Path) -> None:

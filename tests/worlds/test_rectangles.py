@@ -27,22 +27,23 @@ def test_the_rectangles_are_the_cells_and_none_twice(cells: Cells) -> None:
 
 @given(st.integers(1, 60), st.integers(1, 60))
 def test_a_solid_block_is_one_rectangle(columns: int, rows: int) -> None:
-    assert rectangles(np.ones((rows, columns), dtype=bool)) == (Rectangle(0, 0, columns, rows),)
+    solid = np.ones((rows, columns), dtype=bool)
+    assert list(rectangles(solid)) == [Rectangle(0, 0, columns, rows)]
 
 
 def test_a_room_is_four_walls() -> None:
     room = drawn("######", "#....#", "#....#", "######")
-    assert rectangles(room) == (
+    assert list(rectangles(room)) == [
         Rectangle(0, 0, 6, 1),
         Rectangle(0, 1, 1, 3),
         Rectangle(5, 1, 1, 3),
         Rectangle(1, 3, 4, 1),
-    )
+    ]
 
 
 def test_the_larger_of_wide_and_deep_is_taken() -> None:
     # From the corner three cells to the right, or two columns four down: eight beat three.
-    assert rectangles(drawn("###", "##.", "##.", "##.")) == (
+    assert list(rectangles(drawn("###", "##.", "##.", "##."))) == [
         Rectangle(0, 0, 2, 4),
         Rectangle(2, 0, 1, 1),
-    )
+    ]

@@ -77,7 +77,7 @@ class SweepFolder:
             raise BrokenSweep(path, str(cause).splitlines()[0]) from cause
 
     def keep(self, point: Point, rows: Sequence[TrialRow], seconds: float) -> None:
-        """Write a point's rows; an earlier error of it is over."""
+        """Write a point's rows."""
         content = {
             "design": point.design,
             "nuisance": point.nuisance,
@@ -86,7 +86,6 @@ class SweepFolder:
             "rows": [asdict(row) for row in rows],
         }
         _write(self.results / _file(point.design, point.nuisance), json.dumps(content))
-        (self.failures / _file(point.design, point.nuisance)).unlink(missing_ok=True)
 
     def keep_failure(self, point: Point, error: Exception) -> None:
         """Write down why a point could not be driven."""

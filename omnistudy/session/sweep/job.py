@@ -24,8 +24,8 @@ def run_job(job: Any) -> None:
 def run_points(folder: SweepFolder, sweep: Sweep, points: list[Point]) -> None:
     """Drive points; what fails is written down and the next one is tried."""
     for point in points:
-        if (point.design, point.nuisance) in folder.done():
-            continue
+        if folder.kept(point.design, point.nuisance) is not None:
+            continue  # a job that outlived its launcher was here first
         began = time.perf_counter()
         try:
             rows = drive_point(sweep, point)

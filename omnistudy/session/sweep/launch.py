@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import hydra
@@ -16,6 +17,7 @@ from omnistudy.errors.sweep import LauncherFailed
 from omnistudy.registry.conf import LAB_VARIABLE
 from omnistudy.session.sweep.job import run_job
 from omnistudy.session.sweep.launchers import Launcher
+from omnistudy.session.sweep.variables import quoted
 
 FULL_ERROR = "HYDRA_FULL_ERROR"
 """Environment variable without which Hydra prints a trace and exits instead of raising."""
@@ -34,17 +36,17 @@ def launch(
         "--multirun",
         f"hydra/launcher={launcher.name}",
         *settings,
-        f"hydra.sweep.dir={_quoted(str(folder.resolve() / 'hydra'))}",
+        f"hydra.sweep.dir={quoted(str(folder.resolve() / 'hydra'))}",
         "hydra.sweep.subdir=.",
         "hydra.output_subdir=null",
         "hydra/job_logging=disabled",
         "hydra/hydra_logging=disabled",
-        *_environment(),
-        f"+folder={_quoted(str(folder.resolve()))}",
+        *_lab(),
+        f"+folder={quoted(str(folder.resolve()))}",
         f"+points=choice({lists})",
     ]
     entry: Any = hydra.main(config_path=None, version_base="1.3")(run_job)
-    with _typed(words), _own_hydra(), _surroundings(launcher):
+    with _typed(words), _own_hydra(), _surroundings(launcher, settings):
         try:
             entry()
         except Exception as cause:
@@ -52,16 +54,10 @@ def launch(
             raise LauncherFailed(launcher.name, reason) from cause
 
 
-def _quoted(text: str) -> str:
-    """Quote a path for Hydra's grammar."""
-    escaped = text.replace("\\", "\\\\").replace("'", "\\'")
-    return f"'{escaped}'"
-
-
-def _environment() -> tuple[str, ...]:
+def _lab() -> tuple[str, ...]:
     """Hand the lab's folder to workers that do not inherit the environment."""
     lab = os.environ.get(LAB_VARIABLE)
-    return (f"+hydra.job.env_set.{LAB_VARIABLE}={_quoted(lab)}",) if lab else ()
+    return (f"+hydra.job.env_set.{LAB_VARIABLE}={quoted(lab)}",) if lab else ()
 
 
 @contextmanager
@@ -85,11 +81,33 @@ def _own_hydra() -> Iterator[None]:
 
 
 @contextmanager
-def _surroundings(launcher: Launcher) -> Iterator[None]:
-    """Set what Hydra and Ray read from the environment, and end Ray when it is over."""
-    wanted = {FULL_ERROR: "1"}
-    if launcher.name == "ray":
-        wanted |= {"RAY_USAGE_STATS_ENABLED": "0", "RAY_AUTH_MODE": "disabled"}
+def _surroundings(launcher: Launcher, settings: Sequence[str]) -> Iterator[None]:
+    """Set what Hydra and Ray read from the environment; end Ray when it is over."""
+    if launcher.name != "ray":
+        with _environment({FULL_ERROR: "1"}):
+            yield
+        return
+    with TemporaryDirectory(prefix="ray", ignore_cleanup_errors=True) as logs:
+        wanted = {FULL_ERROR: "1"}
+        if not any(word.startswith("hydra.launcher.ray.init.address=") for word in settings):
+            # A cluster of our own asks for no token, tells nobody, and leaves no logs behind.
+            wanted |= {
+                "RAY_TMPDIR": logs,
+                "RAY_AUTH_MODE": "disabled",
+                "RAY_USAGE_STATS_ENABLED": "0",
+            }
+        with _environment(wanted):
+            try:
+                yield
+            finally:
+                import ray
+
+                ray.shutdown()
+
+
+@contextmanager
+def _environment(wanted: Mapping[str, str]) -> Iterator[None]:
+    """Set variables that the user has not set."""
     added = {name: value for name, value in wanted.items() if name not in os.environ}
     os.environ.update(added)
     try:
@@ -97,7 +115,3 @@ def _surroundings(launcher: Launcher) -> Iterator[None]:
     finally:
         for name in added:
             del os.environ[name]
-        if launcher.name == "ray":
-            import ray
-
-            ray.shutdown()

@@ -23,7 +23,7 @@ class Launcher:
     name: str
     module: str = "hydra"
     extra: str = ""
-    overhead_s: float = 0.1
+    overhead_s: float = 0.2
     all_at_once: bool = False
 
 
@@ -40,7 +40,7 @@ LAUNCHERS = {
             all_at_once=True,
         ),
         Launcher("submitit_slurm", "hydra_plugins.hydra_submitit_launcher", "slurm", 10.0),
-        Launcher("ray", "hydra_plugins.hydra_ray_launcher", "ray", 0.2),
+        Launcher("ray", "hydra_plugins.hydra_ray_launcher", "ray", 0.4),
     )
 }
 

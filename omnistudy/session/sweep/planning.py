@@ -9,6 +9,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from omnistudy.errors.protocol import ProtocolFaults
 from omnistudy.errors.sweep import (
     AdaptiveOrder,
     BadSweepName,
@@ -20,13 +21,12 @@ from omnistudy.errors.sweep import (
     TooManyParticipants,
 )
 from omnistudy.protocol import FrozenProtocol, Protocol, freeze, plan
-from omnistudy.protocol.compose import compose_protocol
 from omnistudy.protocol.seeds import participant_seed, trial_seed
 from omnistudy.seeds import seed_text
 from omnistudy.session.sweep.effects import Composer, Effects, canonical_tree, changed
 from omnistudy.session.sweep.points import combinations, require_interval
 from omnistudy.session.sweep.question import Point, Search, Sweep, SweptTrial
-from omnistudy.session.sweep.variables import Asked, read_words
+from omnistudy.session.sweep.variables import Asked, override_text, read_words
 from omnistudy.version import VERSION
 
 KINDS = ("main", "retention")
@@ -114,19 +114,21 @@ def plan_sweep(
     """
     asked = read_words(question.words, question.nuisance, question.design)
     search = _search(question, asked)
-    base = compose_protocol(question.protocol, asked.overrides)
+    composer, base = _based(question.protocol, asked)
     if base.participants.kind != "virtual":
         raise HumanSweep(base.name)
     frozen = freeze(base)
-    composer = Composer(question.protocol, asked.overrides)
     effects = Effects(composer, base, asked.swept)
     keys = tuple(one.variable.key for one in asked.swept)
     maker = PointMaker(keys, canonical_tree(frozen), effects, composer)
-    conditions = _conditions(base, asked, effects, question.thinning.conditions)
+    touched = {key: _touched(base, effects.ends(key)) for key in keys}
+    conditions = _conditions(base, touched, asked, question.thinning.conditions)
+    trials = _trials(base, frozen, conditions, question.thinning)
+    _require_effect(touched, list(dict.fromkeys(trial.condition for trial in trials)))
     sweep = Sweep(
         version=VERSION,
         protocol=question.protocol,
-        overrides=asked.overrides,
+        overrides=composer.overrides,
         design_hash=frozen.design_hash,
         site_hash=frozen.site_hash,
         base=dict(maker.tree),
@@ -135,7 +137,7 @@ def plan_sweep(
         nuisance_samples=question.nuisance_samples,
         seed=question.seed,
         conditions=conditions,
-        trials=_trials(base, frozen, conditions, question.thinning),
+        trials=trials,
         points=_points(question, asked, maker, planned),
         search=search,
     )
@@ -177,6 +179,24 @@ def _points(
     return tuple(points)
 
 
+def _based(protocol: str, asked: Asked) -> tuple[Composer, Protocol]:
+    """Give what composes points, and the base.
+
+    The base has the protocol's own values, so that sweeps over other lists meet the same seeds; a
+    page that leaves a swept key open, such as the file of a recording, has the first ones.
+    """
+    plain = Composer(protocol, asked.overrides)
+    try:
+        return plain, plain.protocol({})
+    except ProtocolFaults as fault:
+        firsts = [override_text(one.variable.key, one.ends[0]) for one in asked.swept]
+        filled = Composer(protocol, (*asked.overrides, *firsts))
+        try:
+            return filled, filled.protocol({})
+        except ProtocolFaults:
+            raise fault from None
+
+
 def _search(question: Question, asked: Asked) -> Search | None:
     if question.objective is None:
         return None
@@ -188,24 +208,22 @@ def _search(question: Question, asked: Asked) -> Search | None:
 
 
 def _conditions(
-    base: Protocol, asked: Asked, effects: Effects, given: Sequence[str]
+    base: Protocol, touched: Mapping[str, set[str]], asked: Asked, given: Sequence[str]
 ) -> tuple[str, ...]:
-    """Name the conditions to drive; every key must change one of them."""
+    """Name the conditions to drive: those given, else those that the design keys change."""
     names = [condition.name for condition in base.conditions]
     for name in given:
         base.condition(name)
-    touched = {
-        one.variable.key: _touched(base, effects.ends(one.variable.key)) for one in asked.swept
-    }
-    chosen = [name for name in names if name in given] if given else names
-    for key, conditions in touched.items():
-        if not set(chosen) & conditions:
-            raise KeyChangesNothing(key, chosen)
-    if given:
-        return tuple(chosen)
     designs = [one.variable.key for one in asked.swept if one.variable.role == "design"]
     by_keys = set().union(*(touched[key] for key in designs or touched))
-    return tuple(name for name in names if name in by_keys)
+    return tuple(name for name in names if name in (given or by_keys or names))
+
+
+def _require_effect(touched: Mapping[str, set[str]], conditions: Sequence[str]) -> None:
+    """Raise KeyChangesNothing for a key that changes none of the conditions driven."""
+    for key, changed_ones in touched.items():
+        if not changed_ones & set(conditions):
+            raise KeyChangesNothing(key, conditions)
 
 
 def _touched(base: Protocol, protocols: Iterable[Protocol]) -> set[str]:

@@ -69,7 +69,7 @@ class Sweep(Model):
     protocol: str
     """Name or file, as it was given."""
     overrides: tuple[str, ...]
-    """What was given one value, for every point alike."""
+    """What was given one value, for every point alike; swept keys that the page leaves open."""
     design_hash: str
     site_hash: str
     base: dict[str, Any]
@@ -87,6 +87,11 @@ class Sweep(Model):
     def keys(self, role: Role) -> tuple[str, ...]:
         """Name the variables of a role."""
         return tuple(variable.key for variable in self.variables if variable.role == role)
+
+    @property
+    def driven(self) -> tuple[str, ...]:
+        """Name the conditions that are really driven, thinned as they are."""
+        return tuple(dict.fromkeys(trial.condition for trial in self.trials))
 
     @property
     def nuisances(self) -> int:

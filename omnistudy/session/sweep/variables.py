@@ -13,6 +13,7 @@ from hydra.core.override_parser.types import (
     ChoiceSweep,
     IntervalSweep,
     Override,
+    Quote,
     QuotedString,
     RangeSweep,
 )
@@ -109,9 +110,13 @@ def override_text(key: str, value: Any) -> str:
     if value is None:
         return f"{key}=null"
     if isinstance(value, str) and not re.fullmatch(r"[A-Za-z_][\w./-]*", value):
-        quoted = value.replace("\\", "\\\\").replace("'", "\\'")
-        return f"{key}='{quoted}'"
+        return f"{key}={quoted(value)}"
     return f"{key}={value if isinstance(value, str) else json.dumps(value)}"
+
+
+def quoted(text: str) -> str:
+    """Quote any text, such as a path, for Hydra's grammar."""
+    return QuotedString(text=text, quote=Quote.single).with_quotes()
 
 
 def _parsed(word: str) -> Override:
@@ -133,6 +138,8 @@ def _swept(override: Override, word: str, nuisance: Sequence[str], design: Seque
     elif isinstance(found, ChoiceSweep | RangeSweep):
         found.shuffle = False  # the same words must always ask the same
         values = tuple(_plain(value) for value in override.sweep_iterator())
+        if isinstance(found, RangeSweep) and values and values[-1] == found.stop:
+            values = values[:-1]  # a range ends before its end; Hydra's sum fell short of it
     else:
         raise NotASweepOverride(word)
     if not values:
