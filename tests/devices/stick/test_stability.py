@@ -1,8 +1,8 @@
 """The largest stiffness that is stable: in the board, and over a host loop of 8 ms.
 
 The mechanism is a bare mass of 0.3 kg with 2 N·s/m, 0.1 mm a count and 13.5 N at full duty, let go
-100 counts from its centre; what is within 30 counts after 0.7 s is stable. The host's wrench comes in
-a ramp of its period, as any law's does; without the ramp 212 N/m were measured over 8 ms.
+100 counts from its centre; what is within 30 counts after 0.7 s is stable. The host's wrench comes
+in a ramp of its period, as any law's does; without the ramp 212 N/m were measured over 8 ms.
 """
 
 from __future__ import annotations
