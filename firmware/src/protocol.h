@@ -1,4 +1,4 @@
-/* Written by firmware/make_protocol.py from firmware/protocol.yaml. */
+/* Written by firmware/protocol/make.py from firmware/protocol/description.yaml. */
 #ifndef PROTOCOL_H
 #define PROTOCOL_H
 

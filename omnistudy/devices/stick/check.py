@@ -4,15 +4,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from omnistudy.devices.stick.layouts import DEFAULT_CONFIGURATION
 from omnistudy.devices.stick.line import StickLine
-from omnistudy.devices.stick.messages import (
-    CYCLES_PER_TICK,
-    DEFAULT_CONFIGURATION,
-    TICK_HZ,
-    Fault,
-    Sign,
-    State,
-)
+from omnistudy.devices.stick.messages import CYCLES_PER_TICK, TICK_HZ, Fault, Sign, State
 from omnistudy.errors.devices import NoTelemetry
 
 START_WITHIN = 4.0

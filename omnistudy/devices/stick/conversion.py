@@ -9,16 +9,8 @@ import numpy as np
 
 from omnistudy.devices.device import DeviceState
 from omnistudy.devices.simulated_stick import DEGREES_PER_COUNT, SimulatedStick
-from omnistudy.devices.stick.messages import (
-    DEFAULT_CONFIGURATION,
-    LIMITS,
-    SCALES,
-    Configuration,
-    Field,
-    Nine,
-    Telemetry,
-    Three,
-)
+from omnistudy.devices.stick.layouts import DEFAULT_CONFIGURATION, LIMITS, SCALES
+from omnistudy.devices.stick.messages import Configuration, Field, Nine, Telemetry, Three
 from omnistudy.devices.stick_scale import FULL_DUTY
 from omnistudy.geometry import ForceField
 

@@ -5,14 +5,8 @@ from __future__ import annotations
 from binascii import crc_hqx
 from typing import Any, NamedTuple
 
-from omnistudy.devices.stick.messages import (
-    CODES,
-    COUNTS,
-    KINDS,
-    LAYOUTS,
-    LONGEST_PAYLOAD,
-    Message,
-)
+from omnistudy.devices.stick.layouts import CODES, COUNTS, KINDS, LAYOUTS, Message
+from omnistudy.devices.stick.messages import LONGEST_PAYLOAD
 
 CRC_START = 0xFFFF
 LONGEST_FRAME = LONGEST_PAYLOAD + 4 + 1

@@ -6,9 +6,9 @@ from collections import deque
 from typing import TypeVar
 
 from omnistudy.devices.stick.frames import Deframer, encode
+from omnistudy.devices.stick.layouts import CODES, Message
 from omnistudy.devices.stick.messages import (
     ARM_KEY,
-    CODES,
     PROTOCOL_VERSION,
     Answer,
     Arm,
@@ -18,7 +18,6 @@ from omnistudy.devices.stick.messages import (
     GetConfiguration,
     Hello,
     Identity,
-    Message,
     Outcome,
     SaveConfiguration,
     SetConfiguration,

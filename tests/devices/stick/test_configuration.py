@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import pytest
+from omnistudy.devices.stick.layouts import DEFAULT_CONFIGURATION, LIMITS
 from stick_bench import Bench
 
-from omnistudy.devices.stick.messages import DEFAULT_CONFIGURATION, LIMITS, Configuration, Fault
+from omnistudy.devices.stick.messages import Configuration, Fault
 from omnistudy.errors.devices import Refused
 
 STORED = 1 + 60 + 2

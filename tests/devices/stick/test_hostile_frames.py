@@ -6,14 +6,11 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from omnistudy.devices.stick.layouts import CODES, DEFAULT_CONFIGURATION, LAYOUTS, LIMITS
 from stick_bench import Bench, field
 
 from omnistudy.devices.stick.frames import encode, frame_of
 from omnistudy.devices.stick.messages import (
-    CODES,
-    DEFAULT_CONFIGURATION,
-    LAYOUTS,
-    LIMITS,
     Arm,
     Field,
     Ping,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from itertools import pairwise
 
+import pytest
 from stick_bench import Bench, field
 
 from omnistudy.devices.stick.messages import CYCLES_PER_TICK, Telemetry
@@ -14,14 +15,14 @@ DENSE = field((30, 20, 10), (5, 5, 5), (0.3, 0.1, 0.1) * 3, (3, 1, 1) * 3, 100)
 """A field in which nothing is zero."""
 
 
-def worst_case(bench: Bench) -> list[Telemetry]:
-    """Turn all encoders to and fro at the rated speed under centring, gravity and a dense field."""
+def worst_case(bench: Bench, rate: float = RATED, steps: int = 30) -> list[Telemetry]:
+    """Turn all encoders to and fro under centring, gravity and a dense field."""
     bench.arm(travel=(2047, 2047, 2047))
     heard = []
-    for step in range(30):
+    for step in range(steps):
         if step % 6 == 0:
             for axis in range(3):
-                bench.board.turn(axis, -1000 if bench.board.count(axis) > 0 else 1000, RATED)
+                bench.board.turn(axis, -1000 if bench.board.count(axis) > 0 else 1000, rate)
         bench.line.send(DENSE)
         heard += bench.line.listen(0.02)
     return heard
@@ -40,8 +41,9 @@ def test_a_tick_takes_less_than_half_its_cycles_to_drive_the_motors(bench: Bench
     assert max(one.busy for one in heard) < CYCLES_PER_TICK
 
 
-def test_the_encoders_are_read_at_an_even_pace(bench: Bench) -> None:
-    late = [one.late for one in worst_case(bench)]
+@pytest.mark.parametrize("rate", [1_000, 4_000, RATED])
+def test_the_encoders_are_read_at_an_even_pace(bench: Bench, rate: float) -> None:
+    late = [one.late for one in worst_case(bench, rate, 60)]
     assert max(late) - min(late) < 320  # 20 us
 
 
