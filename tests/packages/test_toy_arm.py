@@ -90,7 +90,8 @@ def test_every_trial_reached_the_cup(study: Path) -> None:
         trials = opened.trials()
     assert list(trials["status"]) == ["completed"] * 4
     assert set(trials["task"]) == {"reach"}
-    assert list(trials["condition"]) == ["slow", "fast", "fast", "slow"]
+    for _, own in trials.groupby("participant"):
+        assert sorted(own["condition"]) == ["fast", "slow"]
     duration = trials.groupby("condition")["duration_s"].mean()
     assert duration["fast"] < 0.6 * duration["slow"]
     assert (trials["collisions"] == 0).all()
