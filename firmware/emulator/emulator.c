@@ -1,72 +1,19 @@
-#include "emulator.h"
+#include "inside.h"
 
 #include <simavr/avr_eeprom.h>
 #include <simavr/avr_extint.h>
 #include <simavr/avr_ioport.h>
 #include <simavr/avr_uart.h>
-#include <simavr/sim_cycle_timers.h>
-#include <simavr/sim_elf.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define HERTZ 16000000.0
 #define SLICE 8000
 /* simavr carries eleven bits a byte, whatever the frame is: 22 us at 500 kbaud. */
 #define BYTE_CYCLES 352
-#define LINE_SIZE (1 << 20)
 #define BROWN_OUT 0x04
 #define MCUSR_ADDRESS 0x54
 #define WDTCSR_ADDRESS 0x60
 #define WATCHDOG_INTERRUPT 0x40
-
-struct line {
-    uint8_t bytes[LINE_SIZE];
-    uint32_t head, tail;
-};
-
-struct encoder {
-    struct emulator *emulator;
-    int axis;
-    char port;
-    int a, b;        /* bits of the port */
-    int32_t count;   /* as the lines show it */
-    int32_t target;
-    uint32_t period; /* cycles an edge; 0: follows the mechanism */
-    int flipped;     /* line under a glitch, or -1 */
-};
-
-struct wires {
-    uint8_t driven, high;
-};
-
-struct emulator {
-    avr_t *avr;
-    elf_firmware_t firmware;
-    struct axis axes[AXES];
-    struct encoder encoders[AXES];
-    struct line in, out;
-    struct wires wires['L' - 'A' + 1];
-    bool estop, dead_man;
-    int greatest;
-    uint32_t overlaps;
-    uint32_t hung_at;
-    uint8_t healthy[2];
-};
-
-/* control register, its connecting bit, compare register, port, direction, bit of the pin */
-static const struct {
-    uint16_t control;
-    uint8_t connect;
-    uint16_t compare, port, direction;
-    uint8_t bit;
-} pins[2 * AXES] = {
-    { 0xA0, 0x80, 0xA8, 0x102, 0x101, 3 }, /* D6 OC4A */
-    { 0xA0, 0x20, 0xAA, 0x102, 0x101, 4 }, /* D7 OC4B */
-    { 0xA0, 0x08, 0xAC, 0x102, 0x101, 5 }, /* D8 OC4C */
-    { 0xB0, 0x20, 0xB4, 0x102, 0x101, 6 }, /* D9 OC2B */
-    { 0xB0, 0x80, 0xB3, 0x25, 0x24, 4 },   /* D10 OC2A */
-    { 0x80, 0x80, 0x88, 0x25, 0x24, 5 },   /* D11 OC1A */
-};
 
 static bool line_put(struct line *line, uint8_t byte)
 {
@@ -88,39 +35,13 @@ static bool line_take(struct line *line, uint8_t *byte)
     return true;
 }
 
-int emulator_duty(const struct emulator *emulator, int pin)
-{
-    const uint8_t *data = emulator->avr->data;
-
-    if (!(data[pins[pin].direction] >> pins[pin].bit & 1))
-        return 0;
-    if (data[pins[pin].control] & pins[pin].connect)
-        return data[pins[pin].compare];
-    return (data[pins[pin].port] >> pins[pin].bit & 1) * 255;
-}
-
-static void on_motor_write(struct avr_irq_t *irq, uint32_t value, void *param)
-{
-    struct emulator *emulator = param;
-
-    for (int axis = 0; axis < AXES; axis++) {
-        int plus = emulator_duty(emulator, 2 * axis), minus = emulator_duty(emulator, 2 * axis + 1);
-        int greater = plus > minus ? plus : minus;
-
-        if (plus && minus)
-            emulator->overlaps++;
-        if (greater > emulator->greatest)
-            emulator->greatest = greater;
-    }
-}
-
 static void on_sent(struct avr_irq_t *irq, uint32_t value, void *param)
 {
     line_put(&((struct emulator *)param)->out, (uint8_t)value);
 }
 
 /* A wire that drives a pin: stated to the port too, or its pull-ups would win at its next write. */
-static void set_pin(struct emulator *emulator, char port, int bit, int level)
+void set_pin(struct emulator *emulator, char port, int bit, int level)
 {
     struct wires *wires = &emulator->wires[port - 'A'];
     avr_ioport_external_t external = { .name = port };
@@ -131,42 +52,6 @@ static void set_pin(struct emulator *emulator, char port, int bit, int level)
     external.value = wires->high;
     avr_ioctl(emulator->avr, AVR_IOCTL_IOPORT_SET_EXTERNAL(port), &external);
     avr_raise_irq(avr_io_getirq(emulator->avr, AVR_IOCTL_IOPORT_GETIRQ(port), bit), level);
-}
-
-/* Count 0, 1, 2, 3 is (A, B) = 00, 10, 11, 01. */
-static void show(struct encoder *encoder)
-{
-    int phase = encoder->count & 3;
-    int a = (phase == 1 || phase == 2) ^ (encoder->flipped == 0);
-    int b = (phase >= 2) ^ (encoder->flipped == 1);
-
-    set_pin(encoder->emulator, encoder->port, encoder->a, a);
-    set_pin(encoder->emulator, encoder->port, encoder->b, b);
-}
-
-static bool step_towards(struct encoder *encoder, int32_t target)
-{
-    if (encoder->count == target)
-        return false;
-    encoder->count += encoder->count < target ? 1 : -1;
-    show(encoder);
-    return encoder->count != target;
-}
-
-static avr_cycle_count_t on_edge(struct avr_t *avr, avr_cycle_count_t when, void *param)
-{
-    struct encoder *encoder = param;
-
-    return step_towards(encoder, encoder->target) ? when + encoder->period : 0;
-}
-
-static avr_cycle_count_t on_glitch_end(struct avr_t *avr, avr_cycle_count_t when, void *param)
-{
-    struct encoder *encoder = param;
-
-    encoder->flipped = -1;
-    show(encoder);
-    return 0;
 }
 
 static avr_cycle_count_t on_plant(struct avr_t *avr, avr_cycle_count_t when, void *param)
@@ -182,7 +67,7 @@ static avr_cycle_count_t on_plant(struct avr_t *avr, avr_cycle_count_t when, voi
             continue;
         axis_step(axis, emulator_enabled(emulator) ? duty : 0.0, PLANT_CYCLES / HERTZ);
         if (axis->encoder != 0.0)
-            step_towards(encoder, (int32_t)axis->encoder * axis_count(axis));
+            encoder_step(encoder, (int32_t)axis->encoder * axis_count(axis));
     }
     return when + PLANT_CYCLES;
 }
@@ -213,7 +98,7 @@ static void keep_going(struct emulator *emulator)
     avr_cycle_timer_register(avr, PLANT_CYCLES, on_plant, emulator);
     avr_cycle_timer_register(avr, BYTE_CYCLES, on_line, emulator);
     for (int i = 0; i < AXES; i++)
-        show(&emulator->encoders[i]);
+        encoder_show(&emulator->encoders[i]);
     show_contacts(emulator);
 }
 
@@ -237,14 +122,7 @@ static void connect(struct emulator *emulator)
     avr_ioctl(avr, AVR_IOCTL_UART_SET_FLAGS('0'), &flags);
     avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_OUTPUT),
                             on_sent, emulator);
-    for (int i = 0; i < 2 * AXES; i++) {
-        const uint16_t watched[] = { pins[i].control, pins[i].compare, pins[i].port };
-
-        for (int j = 0; j < 3; j++)
-            avr_irq_register_notify(
-                avr_iomem_getirq(avr, watched[j], NULL, AVR_IOMEM_IRQ_ALL), on_motor_write,
-                emulator);
-    }
+    motors_watch(emulator);
 }
 
 struct emulator *emulator_new(const char *elf)
@@ -337,48 +215,6 @@ double emulator_get(const struct emulator *emulator, int axis, int which)
     return ((const double *)&emulator->axes[axis])[which];
 }
 
-void emulator_turn(struct emulator *emulator, int axis, int32_t count, double edges_per_second)
-{
-    struct encoder *encoder = &emulator->encoders[axis];
-
-    encoder->target = count;
-    encoder->period = (uint32_t)(HERTZ / edges_per_second);
-    avr_cycle_timer_register(emulator->avr, encoder->period, on_edge, encoder);
-}
-
-bool emulator_is_turning(const struct emulator *emulator, int axis)
-{
-    void *encoder = (void *)&emulator->encoders[axis];
-
-    return avr_cycle_timer_status(emulator->avr, on_edge, encoder) != 0;
-}
-
-int32_t emulator_count(const struct emulator *emulator, int axis)
-{
-    return emulator->encoders[axis].count;
-}
-
-void emulator_glitch(struct emulator *emulator, int axis, int line, uint32_t cycles)
-{
-    struct encoder *encoder = &emulator->encoders[axis];
-
-    encoder->flipped = line;
-    show(encoder);
-    avr_cycle_timer_register(emulator->avr, cycles, on_glitch_end, encoder);
-}
-
-void emulator_jump(struct emulator *emulator, int axis)
-{
-    avr_t *avr = emulator->avr;
-    uint8_t enabled = avr->sreg[S_I];
-
-    /* Seen by no instruction between the two lines. */
-    avr->sreg[S_I] = 0;
-    emulator->encoders[axis].count += 2;
-    show(&emulator->encoders[axis]);
-    avr->sreg[S_I] = enabled;
-}
-
 void emulator_estop(struct emulator *emulator, bool pressed)
 {
     emulator->estop = pressed;
@@ -389,30 +225,6 @@ void emulator_dead_man(struct emulator *emulator, bool held)
 {
     emulator->dead_man = held;
     show_contacts(emulator);
-}
-
-bool emulator_enabled(const struct emulator *emulator)
-{
-    const uint8_t *data = emulator->avr->data;
-
-    return (data[0x21] & 1) && (data[0x22] & 1); /* DDRA, PORTA */
-}
-
-int emulator_greatest_duty(struct emulator *emulator)
-{
-    int greatest = emulator->greatest;
-
-    emulator->greatest = 0;
-    on_motor_write(NULL, 0, emulator);
-    return greatest > emulator->greatest ? greatest : emulator->greatest;
-}
-
-uint32_t emulator_overlaps(struct emulator *emulator)
-{
-    uint32_t overlaps = emulator->overlaps;
-
-    emulator->overlaps = 0;
-    return overlaps;
 }
 
 void emulator_brown_out(struct emulator *emulator)

@@ -170,7 +170,7 @@ def _default(protocol: Protocol) -> list[str]:
 def _laid_out(lines: list[str]) -> str:
     source = "\n".join(lines) + "\n"
     for rules in (("check", "--fix", "--quiet", "--select", "I"), ("format",)):
-        command = [sys.executable, "-m", "ruff", *rules, "--stdin-filename", "omnistudy/made.py", "-"]
-        ran = subprocess.run(command, input=source, capture_output=True, text=True, check=True)
+        ruff = [sys.executable, "-m", "ruff", *rules, "--stdin-filename", "omnistudy/made.py", "-"]
+        ran = subprocess.run(ruff, input=source, capture_output=True, text=True, check=True)
         source = ran.stdout
     return source
