@@ -17,7 +17,7 @@ static struct {
     uint8_t valid;    /* ticks until the field is stale */
     uint8_t fade;     /* ticks that a stale field takes to fade */
     uint8_t since;    /* ticks since the last field, 255 at most */
-    bool pushing;     /* stiffness or damping may be other than zero */
+    bool pushing;     /* a field is in force and not stale */
 } now;
 
 void field_forget(void)
@@ -84,13 +84,17 @@ static void age(void)
 {
     if (now.since != UINT8_MAX)
         now.since++;
+    if (now.pushing) {
+        if (now.valid)
+            now.valid--;
+        else
+            go_stale();
+    }
     if (now.ramp && --now.ramp)
         for (uint8_t i = 0; i < 3; i++)
             now.offset[i] += now.step[i];
     else
         memcpy(now.offset, now.target, sizeof(now.offset));
-    if (now.valid && --now.valid == 0)
-        go_stale();
 }
 
 const int32_t *field_force(const struct motion *motion)
@@ -105,5 +109,5 @@ const int32_t *field_force(const struct motion *motion)
 
 bool field_is_fresh(void)
 {
-    return now.valid != 0;
+    return now.pushing;
 }

@@ -11,7 +11,7 @@ PRESSING = 16_000
 OVERLOAD = 40_000
 
 
-@pytest.mark.parametrize("rate", [100, 1_000, 5_000, RATED, PRESSING, OVERLOAD])
+@pytest.mark.parametrize("rate", [1_000, 5_000, RATED, PRESSING, OVERLOAD])
 def test_counts_are_exact_at_any_edge_rate(bench: Bench, rate: int) -> None:
     for targets in ((300, -300, 1440), (-300, 300, -1440), (0, 0, 0)):
         travel = max(abs(t - bench.board.count(i)) for i, t in enumerate(targets))

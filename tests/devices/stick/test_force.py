@@ -137,3 +137,10 @@ def test_the_same_run_gives_the_same_bytes(make_bench: Callable[[], Bench]) -> N
     first = run()
     assert len(first) > 10_000
     assert run() == first
+
+
+def test_a_field_that_is_valid_for_a_tick_is_felt_for_a_tick(bench: Bench) -> None:
+    bench.bare(slew_limit=(255, 255, 255))
+    bench.line.send(field(wrench=(100, 0, 0), valid_for=1))
+    felt = [one.motor[0] for one in bench.line.listen(0.02)]
+    assert [force for force in felt if force] == [100]

@@ -7,7 +7,7 @@ from itertools import pairwise
 import pytest
 from stick_bench import Bench, field
 
-from omnistudy.devices.stick.messages import CYCLES_PER_TICK, Telemetry
+from omnistudy.devices.stick.messages import CYCLES_PER_TICK, Fault, Telemetry
 
 RATED = 9_900
 """Edges a second and axis: just below the velocity trip."""
@@ -62,3 +62,17 @@ def test_a_field_changes_the_pwm_within_four_milliseconds_of_its_sending(bench: 
         delays.append(bench.board.now() - began)
     assert min(delays) > 0.0013  # 61 bytes of 22 us
     assert max(delays) < 0.004
+
+
+def test_more_edges_than_the_processor_can_count_turn_the_force_off(bench: Bench) -> None:
+    for axis in range(3):
+        bench.board.turn(axis, -2000, 30_000)
+    bench.line.listen(0.1)
+    bench.bare(travel=(2047, 2047, 2047), velocity_trip=(8191, 8191, 8191))
+    bench.settle(field(wrench=(100, 100, 100)))
+    for axis in range(3):
+        bench.board.turn(axis, 2000, 60_000)  # six times the rated speed
+    faults = bench.line.listen(0.1)[-1].faults
+    assert faults & (Fault.OVERRUN | Fault.WATCHDOG)
+    assert bench.board.duties == (0,) * 6
+    assert not bench.board.enabled
