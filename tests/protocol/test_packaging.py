@@ -101,6 +101,15 @@ def test_the_wheel_holds_every_page_and_no_page_twice(installed: Path) -> None:
     assert len(names) == len(set(names))
 
 
+@pytest.mark.slow
+def test_the_wheel_holds_the_firmwares_sources_and_nothing_compiled(installed: Path) -> None:
+    firmware = installed / "omnistudy" / "_firmware"
+    assert (firmware / "src" / "main.c").is_file()
+    assert (firmware / "emulator" / "emulator.c").is_file()
+    kinds = {path.suffix for path in firmware.rglob("*") if path.is_file()}
+    assert kinds <= {".c", ".h", ".py", ".yaml", ".md", ""}
+
+
 def test_the_editable_install_finds_the_checkouts_pages(away: Path, lab: Path) -> None:
     ours = shown(away)
     labs = shown(away, OMNISTUDY_CONF=str(lab))
