@@ -6,7 +6,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
-SYSTEM_PACKAGES := chromium ffmpeg
+SYSTEM_PACKAGES := chromium ffmpeg gcc-avr avr-libc simavr libsimavr-dev libelf-dev
 
 .DEFAULT_GOAL := help
 .PHONY: help demo test quick bench bench-arm reference front lock system-packages

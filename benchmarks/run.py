@@ -17,6 +17,7 @@ import laws_and_robots
 import published_trial
 import same_bytes
 import startup
+import stick
 import sweeps
 
 from omnistudy.trial import TrialSpec
@@ -67,6 +68,7 @@ def main() -> None:
                 "law_simulated_s_per_s": laws_and_robots.law_speeds(spec),
                 "robot_simulated_s_per_s": laws_and_robots.robot_speeds(spec),
                 "sweep": sweeps.figures(),
+                "stick": stick.figures(),
                 "same_seed_same_bytes": same_bytes.checks(),
             },
             indent=2,

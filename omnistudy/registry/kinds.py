@@ -41,6 +41,7 @@ BUILT_IN: Mapping[str, Mapping[str, str]] = {
     "devices": {
         "simulated_stick": "omnistudy.devices.simulated_stick:SimulatedStick",
         "direct": "omnistudy.devices.direct:DirectDevice",
+        "emulated_stick": "omnistudy.devices.emulated_stick:EmulatedStickDevice",
     },
     "operators": {
         "virtual_driver": "omnistudy.operators.virtual_driver:VirtualDriver",

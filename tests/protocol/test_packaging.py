@@ -101,6 +101,15 @@ def test_the_wheel_holds_every_page_and_no_page_twice(installed: Path) -> None:
     assert len(names) == len(set(names))
 
 
+@pytest.mark.slow
+def test_the_wheel_holds_the_firmwares_sources_and_nothing_compiled(installed: Path) -> None:
+    names = zipfile.ZipFile(next(installed.parent.glob("*.whl"))).namelist()
+    packed = [Path(name) for name in names if name.startswith("omnistudy/_firmware/")]
+    assert Path("omnistudy/_firmware/src/main.c") in packed
+    assert Path("omnistudy/_firmware/emulator/emulator.c") in packed
+    assert {path.suffix for path in packed} <= {".c", ".h", ".py", ".yaml", ".md", ""}
+
+
 def test_the_editable_install_finds_the_checkouts_pages(away: Path, lab: Path) -> None:
     ours = shown(away)
     labs = shown(away, OMNISTUDY_CONF=str(lab))

@@ -1,0 +1,1 @@
+"""The 3-DOF stick on its serial line."""

@@ -1,0 +1,78 @@
+"""What a tick costs, in processor cycles, and that none is missed."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import pytest
+from stick_bench import Bench, field
+
+from omnistudy.devices.stick.messages import CYCLES_PER_TICK, Fault, Telemetry
+
+RATED = 9_900
+"""Edges a second and axis: just below the velocity trip."""
+DENSE = field((30, 20, 10), (5, 5, 5), (0.3, 0.1, 0.1) * 3, (3, 1, 1) * 3, 100)
+"""A field in which nothing is zero."""
+
+
+def worst_case(bench: Bench, rate: float = RATED, steps: int = 30) -> list[Telemetry]:
+    """Turn all encoders to and fro under centring, gravity and a dense field."""
+    bench.arm(travel=(2047, 2047, 2047))
+    heard = []
+    for step in range(steps):
+        if step % 6 == 0:
+            for axis in range(3):
+                bench.board.turn(axis, -1000 if bench.board.count(axis) > 0 else 1000, rate)
+        bench.line.send(DENSE)
+        heard += bench.line.listen(0.02)
+    return heard
+
+
+def test_no_tick_is_missed_at_the_rated_speed(bench: Bench) -> None:
+    heard = worst_case(bench)
+    assert all(later.tick - earlier.tick == 1 for earlier, later in pairwise(heard))
+    assert heard[-1].missed == 0
+    assert heard[-1].faults & 0xFF == 0
+
+
+def test_a_tick_takes_less_than_half_its_cycles_to_drive_the_motors(bench: Bench) -> None:
+    heard = worst_case(bench)
+    assert max(one.worked for one in heard) < CYCLES_PER_TICK / 2
+    assert max(one.busy for one in heard) < CYCLES_PER_TICK
+
+
+@pytest.mark.parametrize("rate", [1_000, 4_000, RATED])
+def test_the_encoders_are_read_at_an_even_pace(bench: Bench, rate: float) -> None:
+    late = [one.late for one in worst_case(bench, rate, 60)]
+    assert max(late) - min(late) < 320  # 20 us
+
+
+def test_a_field_changes_the_pwm_within_four_milliseconds_of_its_sending(bench: Bench) -> None:
+    bench.bare()
+    bench.settle(field())
+    delays = []
+    for index in range(20):
+        wrench = 100 if index % 2 else 50
+        bench.settle(field(wrench=(wrench, 0, 0)))
+        bench.board.run(0.00013)
+        before, began = bench.board.duties, bench.board.now()
+        bench.line.send(field(wrench=(150 - wrench, 0, 0), valid_for=1))
+        while bench.board.duties == before:
+            bench.board.run(20e-6)
+        delays.append(bench.board.now() - began)
+    assert min(delays) > 0.0013  # 61 bytes of 22 us
+    assert max(delays) < 0.004
+
+
+def test_more_edges_than_the_processor_can_count_turn_the_force_off(bench: Bench) -> None:
+    for axis in range(3):
+        bench.board.turn(axis, -2000, 30_000)
+    bench.line.listen(0.1)
+    bench.bare(travel=(2047, 2047, 2047), velocity_trip=(8191, 8191, 8191))
+    bench.settle(field(wrench=(100, 100, 100)))
+    for axis in range(3):
+        bench.board.turn(axis, 2000, 60_000)  # six times the rated speed
+    faults = bench.line.listen(0.1)[-1].faults
+    assert faults & (Fault.OVERRUN | Fault.WATCHDOG)
+    assert bench.board.duties == (0,) * 6
+    assert not bench.board.enabled
