@@ -6,12 +6,12 @@ from math import inf
 
 import numpy as np
 import pytest
-from omnistudy.devices.stick.layouts import DEFAULT_CONFIGURATION
 
 from omnistudy.devices import Hand, RunningDevice
 from omnistudy.devices.emulated_stick import EmulatedStickDevice
 from omnistudy.devices.simulated_stick import SimulatedStick
 from omnistudy.devices.stick.conversion import configuration, handle_scale
+from omnistudy.devices.stick.layouts import DEFAULT_CONFIGURATION
 from omnistudy.errors.devices import CannotBePrescribed, WentSoft
 from omnistudy.geometry import ForceField, PlanarWrench
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from omnistudy.devices.stick.layouts import DEFAULT_CONFIGURATION, LIMITS
 from stick_bench import Bench
 
+from omnistudy.devices.stick.layouts import DEFAULT_CONFIGURATION, LIMITS
 from omnistudy.devices.stick.messages import Configuration, Fault
 from omnistudy.errors.devices import Refused
 

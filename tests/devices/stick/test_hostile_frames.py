@@ -6,10 +6,10 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from omnistudy.devices.stick.layouts import CODES, DEFAULT_CONFIGURATION, LAYOUTS, LIMITS
 from stick_bench import Bench, field
 
 from omnistudy.devices.stick.frames import encode, frame_of
+from omnistudy.devices.stick.layouts import CODES, DEFAULT_CONFIGURATION, LAYOUTS, LIMITS
 from omnistudy.devices.stick.messages import (
     Arm,
     Field,
