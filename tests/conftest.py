@@ -26,6 +26,12 @@ settings.register_profile(
 settings.load_profile("omnistudy")
 
 
+@pytest.fixture(autouse=True)
+def no_lab(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Start without a lab's folder, and forget the one that `--conf` put into the environment."""
+    monkeypatch.setenv("OMNISTUDY_CONF", "")
+
+
 @pytest.fixture(scope="session")
 def requires_program() -> Callable[[str, str], str]:
     """Give the path of a program, or skip: `requires_program("chromium", "chromium")`."""
