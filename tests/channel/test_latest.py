@@ -78,3 +78,15 @@ def test_another_sessions_file_is_not_written_into(tmp_path: Path) -> None:
             assert old.read() == (1, b"old")
             new.remove()
     assert not path.exists()
+
+
+def test_a_torn_value_is_none(tmp_path: Path) -> None:
+    path = tmp_path / "value"
+    with LatestValue(path, 10) as value:
+        value.write(b"whole")
+        torn = path.read_bytes().replace(b"whole", b"whale")
+        with path.open("r+b") as file:
+            file.write(torn)
+        assert value.read() is None
+        value.write(b"next")
+        assert value.read() == (2, b"next")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -11,6 +12,9 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
+from websockets.exceptions import InvalidStatus
+from websockets.sync.client import connect
+from websockets.typing import Origin
 
 from omnistudy.view.chromium import Browser
 
@@ -78,6 +82,23 @@ def test_every_answer_is_clear(
     assert answer.status == status
     assert text in body
     assert "frame-ancestors 'none'" in answer.headers["content-security-policy"]
+
+
+@pytest.mark.parametrize(("origin", "token"), [("http://evil.example", TOKEN), (None, "guessed")])
+def test_live_states_go_to_our_own_pages_alone(
+    address: str, origin: str | None, token: str
+) -> None:
+    socket = f"ws://{urlsplit(address).netloc}/live?token={token}"
+    foreign = Origin(origin) if origin else None
+    with (
+        pytest.raises(InvalidStatus, match="403"),
+        connect(socket, origin=foreign, proxy=None),
+    ):
+        pass
+    own = Origin(f"http://{urlsplit(address).netloc}")
+    right = f"ws://{urlsplit(address).netloc}/live?token={TOKEN}"
+    with connect(right, origin=own, proxy=None) as opened:
+        assert json.loads(opened.recv(timeout=30)) == {"state": None, "lag": None}
 
 
 def test_from_the_list_to_two_trials_side_by_side(address: str, chromium: Browser) -> None:
