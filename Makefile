@@ -9,7 +9,7 @@ SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 SYSTEM_PACKAGES := chromium gcc-avr avr-libc simavr libsimavr-dev libelf-dev
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test quick bench reference lock system-packages
+.PHONY: help demo test quick bench bench-arm reference lock system-packages
 
 help:  ## Say what can be made
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):[^#]*## /\1\t/' | expand -t 18
@@ -32,6 +32,9 @@ quick: $(INSTALLED)  ## Check in under two minutes: leaves out slow tests
 
 bench: $(INSTALLED)  ## Measure speed and memory; prints JSON
 	@$(BIN)/python benchmarks/run.py
+
+bench-arm: $(INSTALLED)  ## Measure the arm's controllers: success over random tasks, doors, a step's time
+	@$(BIN)/python benchmarks/arm.py
 
 reference: $(INSTALLED)  ## Renew docs/reference from the commands' help and the models
 	$(BIN)/python docs/make_reference.py

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omnistudy.arm.chair import base_frame, driven, hand_per_rates
+from omnistudy.arm.clearance import ClearanceFinder
 from omnistudy.arm.profile import ArmProfile
 from omnistudy.arm.zones import Intrusions, ZoneChecker
 from omnistudy.geometry import PlanarPose
@@ -27,6 +28,7 @@ class ArmBody:
         self.lower, self.upper = profile.lower, profile.upper
         self.top_rates = profile.top_rates
         self.zones = ZoneChecker(profile.zones, profile.chair.arm_height)
+        self.clearances = ClearanceFinder(profile.zones, profile.chair.arm_height, self.count)
         self._fixed, self._with_cosine, self._with_sine = _transform_parts(profile)
 
     def frames(self, joints: Floats) -> Floats:

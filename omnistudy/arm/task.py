@@ -137,6 +137,9 @@ class Motion(Model):
     not follow."""
     chair_goal: ChairPose | None = None
     """Where the chair should end; the published weights do not bring it there."""
+    carried: bool = False
+    """Whether the hand may go straight as the chair sees it instead of over the ground: in free
+    space only, and only with a controller that leads the chair too."""
     controller: Annotated[Any, kind_validator("controllers")] | None = None
     """Another controller for this motion."""
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import degrees, isnan
+from math import degrees
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -12,7 +12,7 @@ from omnistudy.cli.arguments import AsJson
 from omnistudy.cli.output import print_json, print_line, print_table, progress
 
 if TYPE_CHECKING:
-    from omnistudy.arm.run import MotionSummary
+    from omnistudy.arm.check import PoseAnswer
     from omnistudy.arm.task import ArmTask
 
 app = typer.Typer(no_args_is_help=True)
@@ -31,7 +31,7 @@ def _tasks() -> list[str]:
 
 
 def _controllers() -> list[str]:
-    from omnistudy.session.solve_arm import arm_controllers
+    from omnistudy.session.plan_arm import arm_controllers
 
     return list(arm_controllers())
 
@@ -134,27 +134,42 @@ def urdf(
 
 
 @app.command()
-def check(task: TaskArgument, as_json: AsJson = False) -> None:
-    """Say before anything moves whether a task's poses can be reached, and from where.
+def check(task: TaskArgument, controller: ControllerOption = None, as_json: AsJson = False) -> None:
+    """Say before anything moves whether a task can be done, and from where.
 
-    Each motion is taken to begin in the stand-off found for the one before. Exit 1 when one
-    cannot be reached.
+    With dual_qp every motion is planned: it says how hand and chair go. With the published
+    controllers each pose is looked at, each motion being taken to begin in the stand-off found for
+    the one before. Exit 1 when one cannot be reached.
 
-    Example: omnistudy arm check door_right
+    Example: omnistudy arm check door_right --controller dual_qp
     """
-    from omnistudy.arm.check import check_task, looks
-    from omnistudy.arm.find import load_task
+    from omnistudy.session.plan_arm import is_led
 
-    page = load_task(task)
+    page = _task(task, controller)
+    answers = _planned(page) if is_led(page) else _looked_at(page)
+    if as_json:
+        print_json([answer._asdict() for answer in answers])
+    else:
+        rows = [(a.motion, a.share, a.possible, a.answer) for a in answers]
+        print_table(task, ("motion", "share of its path", "possible", "answer"), rows)
+    if not all(answer.possible for answer in answers):
+        raise typer.Exit(1)
+
+
+def _looked_at(page: ArmTask) -> list[PoseAnswer]:
+    from omnistudy.arm.check import check_task, looks
+
     with progress("poses", looks(page)) as advance:
         checked = check_task(page, advance)
-    if as_json:
-        print_json([pose.in_numbers._asdict() for pose in checked.poses])
-    else:
-        rows = [(p.motion, p.share, p.possible, p.answer) for p in checked.poses]
-        print_table(task, ("motion", "share of its path", "possible", "answer"), rows)
-    if not checked.possible:
-        raise typer.Exit(1)
+    return [pose.in_numbers for pose in checked.poses]
+
+
+def _planned(page: ArmTask) -> list[PoseAnswer]:
+    from omnistudy.session.plan_arm import MOST_TRIES, look_for_plan
+
+    with progress("ways", MOST_TRIES) as advance:
+        plan = look_for_plan(page, advance)
+    return [motion.answer for motion in plan.motions] if plan.refused is None else [plan.refused]
 
 
 @app.command()
@@ -163,7 +178,10 @@ def solve(
     output: Annotated[Path, typer.Option("--output", "-o", help="CSV file: one row a step.")],
     controller: ControllerOption = None,
     unchecked: Annotated[
-        bool, typer.Option("--unchecked", help="Run it even if it cannot be reached.")
+        bool,
+        typer.Option(
+            "--unchecked", help="Run it even if it cannot be reached; not where it is planned."
+        ),
     ] = False,
     force: Force = False,
     as_json: AsJson = False,
@@ -175,25 +193,42 @@ def solve(
     Example: omnistudy arm solve reach --controller sri_wln -o reach.csv
     """
     from omnistudy.arm.check import looks
-    from omnistudy.arm.find import load_task
     from omnistudy.arm.run import summaries
     from omnistudy.arm.run_file import may_write, write_run
+    from omnistudy.cli.arm_motions import print_motions
+    from omnistudy.session.plan_arm import MOST_TRIES, is_led, plan_task
     from omnistudy.session.solve_arm import refuse_impossible, solve_task
 
-    page = load_task(task) if controller is None else _led_by(load_task(task), controller)
+    page = _task(task, controller)
     may_write(output, replace=force)
-    if not unchecked:
+    plan = None
+    if is_led(page):
+        if unchecked:
+            raise typer.BadParameter(
+                "a controller that leads the chair too runs only what it planned",
+                param_hint="--unchecked",
+            )
+        with progress("ways", MOST_TRIES) as advance:
+            plan = plan_task(page, advance)
+    elif not unchecked:
         with progress("poses", looks(page)) as advance:
             refuse_impossible(page, advance)
     with progress("motions", len(page.motions)) as advance:
-        run = solve_task(page, advance)
+        run = solve_task(page, advance, plan)
     write_run(run, output, replace=force)
     found = summaries(run)
     if as_json:
         print_json([summary._asdict() for summary in found])
         return
-    _print_summaries(found)
+    print_motions(found)
     print_line(f"wrote {output}: {len(run.steps)} steps")
+
+
+def _task(name: str, controller: str | None) -> ArmTask:
+    from omnistudy.arm.find import load_task
+
+    page = load_task(name)
+    return page if controller is None else _led_by(page, controller)
 
 
 def _led_by(task: ArmTask, controller: str) -> ArmTask:
@@ -203,39 +238,6 @@ def _led_by(task: ArmTask, controller: str) -> ArmTask:
     chosen = load_kind("controllers", controller)()
     motions = tuple(m.model_copy(update={"controller": None}) for m in task.motions)
     return task.model_copy(update={"controller": chosen, "motions": motions})
-
-
-def _print_summaries(found: tuple[MotionSummary, ...]) -> None:
-    rows = [
-        (
-            summary.motion,
-            round(summary.duration, 2),
-            round(1000 * summary.worst_error, 3),
-            round(degrees(summary.worst_turn), 3),
-            round(1000 * summary.final_error, 3),
-            round(degrees(summary.final_turn), 3),
-            round(1000 * summary.driven, 1),
-            round(degrees(summary.chair.theta), 2),
-            None if isnan(summary.chair_error) else round(1000 * summary.chair_error, 1),
-            None if isnan(summary.chair_turn) else round(degrees(summary.chair_turn), 1),
-            summary.held_back,
-            summary.damped,
-            "yes" if summary.followed else "no",
-        )
-        for summary in found
-    ]
-    columns = (
-        *("motion", "s", "worst mm", "worst deg", "final mm", "final deg", "driven mm"),
-        *(
-            "heading deg",
-            "chair off mm",
-            "chair off deg",
-            "steps held back",
-            "steps damped",
-            "arrived",
-        ),
-    )
-    print_table("Motions of the hand", columns, rows)
 
 
 @app.command()

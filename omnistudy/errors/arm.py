@@ -42,7 +42,8 @@ class BadGuidance(OmnistudyError):
     def __init__(self, given: int) -> None:
         super().__init__(
             f"an arm was led by {given} numbers: give 6 (the hand's twist), 7 (and the bearing of "
-            "its path) or 10 (and x, y, theta of the chair's goal)"
+            "its path), 10 (and x, y, theta of the chair's goal) or 18 and more (and the chair's "
+            "drive and turn, the part of the twist that corrects, and rates of all joints)"
         )
 
 
@@ -56,11 +57,14 @@ class ImpossibleStart(OmnistudyError):
 class ImpossibleTask(OmnistudyError):
     """A task that no chair pose makes possible."""
 
-    def __init__(self, motion: str, answer: str) -> None:
-        super().__init__(
-            f"motion '{motion}' is refused before anything moves: {answer}; move its goal, or run "
-            "it anyway with --unchecked"
-        )
+    def __init__(
+        self,
+        motion: str,
+        answer: str,
+        remedy: str = "move its goal, or run it anyway with --unchecked",
+    ) -> None:
+        super().__init__(f"motion '{motion}' is refused before anything moves: {answer}; {remedy}")
+        self.motion = motion
 
 
 class BrokenRun(OmnistudyError):

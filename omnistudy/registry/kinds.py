@@ -31,6 +31,7 @@ BUILT_IN: Mapping[str, Mapping[str, str]] = {
         "pi_wln": "omnistudy.controllers.pi_wln:PiWln",
         "sri_ene": "omnistudy.controllers.sri_ene:SriEne",
         "pi_ene": "omnistudy.controllers.pi_ene:PiEne",
+        "dual_qp": "omnistudy.controllers.dual_qp:DualQp",
         "power_assist": "omnistudy.controllers.power_assist:PowerAssistController",
     },
     "plants": {

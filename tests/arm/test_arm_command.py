@@ -120,6 +120,32 @@ def test_a_check_says_from_where(
     assert "can be reached from where the chair stands" in capsys.readouterr().out
 
 
+def test_a_plan_is_told_and_then_run(
+    near: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    csv, led = tmp_path / "run.csv", ("--controller", "dual_qp")
+    assert run(monkeypatch, "check", near, *led, "--json") == 0
+    (answer,) = json.loads(capsys.readouterr().out)
+    assert answer["answer"].startswith("over the ground while the chair")
+    assert answer["possible"] is True
+    assert run(monkeypatch, "solve", near, *led, "-o", csv, "--json") == 0
+    (motion,) = json.loads(capsys.readouterr().out)
+    assert motion["final_error"] < 1e-5
+    assert len(read_run(csv).steps) >= 21
+
+
+def test_what_cannot_be_planned_is_refused_and_not_run_unchecked(
+    high: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    csv, led = tmp_path / "run.csv", ("--controller", "dual_qp")
+    assert run(monkeypatch, "check", high, *led) == 1
+    assert "no chair pose was found" in " ".join(capsys.readouterr().out.split())
+    assert run(monkeypatch, "solve", high, *led, "-o", csv) == 1
+    assert "refused before anything moves" in capsys.readouterr().err
+    assert run(monkeypatch, "solve", high, *led, "-o", csv, "--unchecked") == 2
+    assert not csv.exists()
+
+
 def test_a_urdf_is_written(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -13,6 +13,7 @@ from omnistudy.arm.run_file import AFTER_JOINTS, BEFORE_JOINTS
 from omnistudy.arm.task import ArmStart, ArmTask, ChairPose, Goal, Hinge, Motion, Turn
 from omnistudy.arm.timing import Timing
 from omnistudy.arm.zones import Zone
+from omnistudy.controllers.dual_qp import DualQp
 from omnistudy.registry import kinds
 
 PAGE = (Path(__file__).parents[2] / "docs" / "arm.md").read_text(encoding="utf-8")
@@ -35,7 +36,12 @@ def test_every_column_is_on_the_page() -> None:
     assert set(missing) <= spans
 
 
+def test_every_parameter_of_the_controller_that_leads_is_on_the_page() -> None:
+    section = PAGE[PAGE.index("## Hand and chair led together") :]
+    assert [key for key in DualQp.model_fields if f"`{key}`" not in section] == ["kind"]
+
+
 def test_every_arm_controller_is_on_the_page() -> None:
-    of_arms = [kind for kind in kinds("controllers") if kind.endswith(("_wln", "_ene"))]
-    assert len(of_arms) == 4
+    of_arms = [kind for kind in kinds("controllers") if kind.endswith(("_wln", "_ene", "_qp"))]
+    assert len(of_arms) == 5
     assert all(f"`{kind}`" in PAGE for kind in of_arms)

@@ -34,6 +34,7 @@ def run(monkeypatch: pytest.MonkeyPatch, *arguments: str) -> int:
     return int(end.value.code or 0)
 
 
+@pytest.mark.slow
 def test_a_session_is_planned_run_in_two_goes_and_planned_again(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], studies: Path
 ) -> None:

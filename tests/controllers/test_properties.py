@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from omnistudy.controllers import Control, Controller
+from omnistudy.controllers.led import LedController
 from omnistudy.controllers.resolved_rate import ResolvedRateController
 from omnistudy.devices import DeviceState
 from omnistudy.geometry import Scan
@@ -16,7 +17,7 @@ from omnistudy.registry import kinds, load_kind
 OF_ARMS = {
     kind
     for kind in kinds("controllers")
-    if issubclass(load_kind("controllers", kind), ResolvedRateController)
+    if issubclass(load_kind("controllers", kind), (ResolvedRateController, LedController))
 }
 KINDS = sorted({*kinds("controllers")} - OF_ARMS)
 ANGLES = np.arange(-64, 64) * (np.pi / 64)

@@ -56,6 +56,7 @@ def test_the_standard_scenes_are_named_and_the_scale_given(tmp_path: Path) -> No
     assert "10 N" in written
 
 
+@pytest.mark.slow
 def test_several_laws_are_set_side_by_side(tmp_path: Path) -> None:
     laws = [ComponentLaw(), QuadrantLaw(), ImpedanceUrbanoLaw()]
     draw_field(laws, tmp_path / "field.svg")
@@ -78,6 +79,7 @@ def test_rays_from_off_the_centre_are_drawn_from_where_they_start(
     assert "inside the boundary" in words(tmp_path / "scene.svg")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", kinds("laws"))
 def test_every_kind_is_drawn_over_every_boundary_that_it_takes(tmp_path: Path, kind: str) -> None:
     law = load_kind("laws", kind)

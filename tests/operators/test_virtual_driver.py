@@ -326,6 +326,7 @@ def test_at_a_wall_nobody_pushes_harder() -> None:
     assert references(warned)[:, 0].max() == pytest.approx(0.9 * FULL)
 
 
+@pytest.mark.slow
 def test_insisting_never_acts_without_feedback() -> None:
     patient = driver()
     meek = patient.model_copy(

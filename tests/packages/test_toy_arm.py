@@ -159,6 +159,7 @@ def test_its_trials_resimulate_from_the_database(
     assert printed.split() == [part for n in range(1, 5) for part in (str(n), "completed")]
 
 
+@pytest.mark.slow
 def test_its_gains_are_swept_by_workers_of_their_own(installed: Path, tmp_path: Path) -> None:
     asked = ("reaching", "controller.gain=3,6", f"operator.file={LAB / 'reach.csv'}")
     options = ("--condition", "slow", "--name", "gains", "--launcher", "joblib", "--workers", "2")

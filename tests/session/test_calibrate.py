@@ -59,6 +59,7 @@ def test_target_out_of_reach_is_said() -> None:
         people.meeting(Targets(34.0, 17.0, 83.0))
 
 
+@pytest.mark.slow
 def test_no_trial_with_feedback_is_run(
     short_protocol: Protocol, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -84,6 +85,7 @@ def test_no_trial_with_feedback_is_run(
     assert found.expected_mean == pytest.approx(2.0, rel=0.02)
 
 
+@pytest.mark.slow
 def test_collisions_are_counted_as_published(
     short_protocol: Protocol, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -123,7 +123,7 @@ def spec(kind: str) -> TrialSpec:
     )
 
 
-@pytest.mark.parametrize("kind", ["sri_wln", "pi_wln", "sri_ene", "pi_ene"])
+@pytest.mark.parametrize("kind", ["sri_wln", "pi_wln", "sri_ene", "pi_ene", "dual_qp"])
 def test_the_hand_goes_where_it_is_pushed_and_the_record_gives_the_same_again(kind: str) -> None:
     done = run_trial(spec(kind))
     assert done.status == "completed"

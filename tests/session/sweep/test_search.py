@@ -27,6 +27,9 @@ def run(folder: SweepFolder, workers: int = 1) -> int:
     return sum(told)
 
 
+pytestmark = pytest.mark.slow
+
+
 @pytest.fixture(scope="module")
 def unbroken(tmp_path_factory: pytest.TempPathFactory) -> SweepFolder:
     folder = opened(tmp_path_factory.mktemp("sweeps") / "search", plan())
