@@ -3,7 +3,8 @@
 #include "board.h"
 
 /* A compare output: the register and bits that connect its pin, and its compare register. All
- * compare registers are written as bytes: the high ones stay zero at 8 bits. */
+ * compare registers are written as bytes: a timer's high byte comes from its TEMP register, which
+ * `motors_off` leaves at zero and nothing else touches. */
 struct output {
     volatile uint8_t *control;
     uint8_t connect;

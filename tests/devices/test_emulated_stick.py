@@ -6,6 +6,7 @@ from math import inf
 
 import numpy as np
 import pytest
+from core_world import trial
 
 from omnistudy.devices import Hand, RunningDevice
 from omnistudy.devices.emulated_stick import EmulatedStickDevice
@@ -14,6 +15,8 @@ from omnistudy.devices.stick.conversion import configuration, handle_scale
 from omnistudy.devices.stick.layouts import DEFAULT_CONFIGURATION
 from omnistudy.errors.devices import CannotBePrescribed, WentSoft
 from omnistudy.geometry import ForceField, PlanarWrench
+from omnistudy.laws.component import ComponentLaw
+from omnistudy.trial import resimulate, run_trial
 
 PHYSICS_HZ = 240
 GRIP = Hand((0.01, -0.008, 0.3), (400.0, 400.0, 20.0), (20.0, 20.0, 0.5), (0.8, 0.8, 0.003))
@@ -83,3 +86,16 @@ def test_a_stick_that_goes_soft_ends_the_trial() -> None:
 
     with pytest.raises(WentSoft, match="SILENT"):
         let_half_a_second_pass_without_a_field()
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("toolchain")
+def test_a_whole_trial_runs_through_the_firmware_and_repeats_to_the_byte() -> None:
+    spec = trial(law=ComponentLaw(), device=EmulatedStickDevice())
+    emulated = run_trial(spec)
+    simulated = run_trial(trial(law=ComponentLaw()))
+    assert emulated.status == simulated.status == "completed"
+    assert emulated.duration_s == pytest.approx(simulated.duration_s, rel=0.1)
+    assert run_trial(spec).samples.tobytes() == emulated.samples.tobytes()
+    steps = next(stream for stream in emulated.streams if stream.name == "input").data
+    assert resimulate(spec, steps).samples.tobytes() == emulated.samples.tobytes()
