@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TypeVar
 
-import yaml
 from pydantic import ValidationError
 
 from omnistudy.arm.profile import ArmProfile
 from omnistudy.arm.task import ArmTask
 from omnistudy.errors.arm import BrokenArmPage, UnknownArm, UnknownArmTask
 from omnistudy.registry import Model
-from omnistudy.registry.conf import conf_roots
 from omnistudy.registry.faults import explain
+from omnistudy.registry.pages import page_content, page_file, page_names
 
 Page = TypeVar("Page", bound=Model)
 
@@ -44,34 +43,10 @@ def load_task(name_or_file: str) -> ArmTask:
     return read_page(page, ArmTask)
 
 
-def page_names(group: str) -> tuple[str, ...]:
-    """Name the pages of a configuration group."""
-    pages = (page for root in conf_roots() for page in (root / group).glob("*.yaml"))
-    return tuple(sorted({page.stem for page in pages}))
-
-
-def page_file(group: str, name_or_file: str) -> Path | None:
-    """Give a page: a file that exists, else a name in a group, the lab's folder first."""
-    if Path(name_or_file).is_file():
-        return Path(name_or_file)
-    pages = (root / group / f"{name_or_file}.yaml" for root in conf_roots())
-    return next((page for page in pages if page.is_file()), None)
-
-
 def read_page(page: Path, model: type[Page]) -> Page:
     """Read a page as a model; raises BrokenArmPage with one sentence a fault."""
-    data = _parsed(page)
+    data = page_content(page, BrokenArmPage)
     try:
         return model.model_validate(data)
     except ValidationError as faults:
         raise BrokenArmPage(page, explain(faults, model, data, str(page))) from faults
-
-
-def _parsed(page: Path) -> Any:
-    try:
-        return yaml.safe_load(page.read_text(encoding="utf-8"))
-    except (yaml.YAMLError, UnicodeDecodeError) as cause:
-        mark = getattr(cause, "problem_mark", None)
-        line = f", line {mark.line + 1}" if mark else ""
-        problem = getattr(cause, "problem", None) or str(cause).splitlines()[0]
-        raise BrokenArmPage(page, (f"{page}{line}: not readable as YAML ({problem})",)) from cause

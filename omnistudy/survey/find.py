@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-import yaml
 from pydantic import ValidationError
 
 from omnistudy.errors.survey import BrokenInstrument, UnknownInstrument
-from omnistudy.registry.conf import conf_roots
 from omnistudy.registry.faults import explain
+from omnistudy.registry.pages import page_content, page_file, page_names
 from omnistudy.survey.instrument import Instrument
 
 
@@ -30,8 +29,7 @@ class InstrumentEntry(NamedTuple):
 
 def instrument_names(lab: Path | None = None) -> tuple[str, ...]:
     """Name every instrument in the lab's folder and in ours."""
-    pages = (page for root in conf_roots(lab) for page in (root / "survey").glob("*.yaml"))
-    return tuple(sorted({page.stem for page in pages}))
+    return page_names("survey", lab)
 
 
 def instrument_file(name_or_file: str | Path, lab: Path | None = None) -> Path:
@@ -39,14 +37,10 @@ def instrument_file(name_or_file: str | Path, lab: Path | None = None) -> Path:
 
     The lab's folder is asked first. Raises UnknownInstrument.
     """
-    given = str(name_or_file)
-    if Path(given).is_file():
-        return Path(given)
-    for root in conf_roots(lab):
-        page = root / "survey" / f"{given}.yaml"
-        if page.is_file():
-            return page
-    raise UnknownInstrument(given, instrument_names(lab))
+    page = page_file("survey", name_or_file, lab)
+    if page is None:
+        raise UnknownInstrument(str(name_or_file), instrument_names(lab))
+    return page
 
 
 def listed_instruments(lab: Path | None = None) -> tuple[InstrumentEntry, ...]:
@@ -65,19 +59,8 @@ def _listed(name: str, file: Path) -> InstrumentEntry:
 def load_instrument(name_or_file: str | Path, lab: Path | None = None) -> Instrument:
     """Read an instrument; raises UnknownInstrument, or BrokenInstrument with every fault."""
     page = instrument_file(name_or_file, lab)
-    tree = _parsed(page)
+    tree = page_content(page, BrokenInstrument)
     try:
         return Instrument.model_validate(tree)
     except ValidationError as faults:
         raise BrokenInstrument(page, explain(faults, Instrument, tree, str(page))) from faults
-
-
-def _parsed(page: Path) -> Any:
-    try:
-        return yaml.safe_load(page.read_text(encoding="utf-8"))
-    except (yaml.YAMLError, UnicodeDecodeError) as cause:
-        mark = getattr(cause, "problem_mark", None)
-        line = f", line {mark.line + 1}" if mark else ""
-        problem = getattr(cause, "problem", None) or str(cause).splitlines()[0]
-        said = f"{page}{line}: not readable as YAML ({problem})"
-        raise BrokenInstrument(page, (said,)) from cause
