@@ -1,5 +1,5 @@
 """Joysticks and what they render."""
 
-from omnistudy.devices.device import Device, DeviceState, Hand, RunningDevice
+from omnistudy.devices.device import Device, DeviceState, Hand, Identity, RunningDevice
 
-__all__ = ["Device", "DeviceState", "Hand", "RunningDevice"]
+__all__ = ["Device", "DeviceState", "Hand", "Identity", "RunningDevice"]

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from typing import NamedTuple
+from collections.abc import Sequence
+from pathlib import Path
+from typing import ClassVar, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,8 +39,30 @@ class Hand(NamedTuple):
     mass: tuple[float, ...]
 
 
+class Identity(NamedTuple):
+    """Which piece of hardware it is, as far as it tells; "" where it does not.
+
+    calibration : date and digest of what counts and PWM steps were found to be; "" is nominal.
+    """
+
+    model: str
+    serial: str = ""
+    firmware: str = ""
+    calibration: str = ""
+
+
 class Device(KindModel, ABC):
     """Parameters of a device; `connect` makes the running one."""
+
+    in_lockstep: ClassVar[bool] = True
+    """False: real hardware, whose time nobody can stop; it serves live trials only."""
+    apart: ClassVar[bool] = False
+    """In a live trial it runs in a process of its own, `tick_hz` turns a second."""
+    tick_hz: ClassVar[int] = 1000
+
+    def at(self, study: Path) -> Self:
+        """Give the device as it is reached while a study runs; most are reached everywhere."""
+        return self
 
     @abstractmethod
     def connect(self, physics_hz: int) -> RunningDevice:
@@ -67,10 +91,31 @@ class RunningDevice(ABC):
         """Give the present value of each channel."""
         return ()
 
+    forces: tuple[bool, ...] = ()
+    """Whether it can push along each axis; data of an axis that cannot say so."""
+
     @abstractmethod
     def render(self, field: ForceField) -> None:
         """Take a new force field; it holds until the next or until it is stale."""
 
     @abstractmethod
     def advance(self, hand: Hand) -> DeviceState:
-        """Let one physics step pass with a hand on the device; give what the sensors then say."""
+        """Let one step pass with a hand on the device; give what the sensors then say.
+
+        Real hardware takes no notice of `hand` and never waits: it gives the newest that came.
+        """
+
+    def rows(self) -> Sequence[tuple[float, ...]]:
+        """Give what it told during the last `advance`, oldest first: position, rate, values."""
+        return ()
+
+    def identity(self) -> Identity:
+        """Tell which piece of hardware this is."""
+        return Identity(type(self).__name__)
+
+    def trouble(self) -> str:
+        """Tell in one clause why it cannot be driven with now; "" while all is well."""
+        return ""
+
+    def close(self) -> None:
+        """Let the hardware go; whatever pushes must then be soft."""

@@ -20,6 +20,7 @@ class DirectDevice(Device):
 
 
 class _RunningDirect(RunningDevice):
+    forces = (False, False, False)
     axes = (
         Channel("stick_x", "m/s", "commanded forward velocity"),
         Channel("stick_y", "m/s", "commanded leftward velocity"),

@@ -24,6 +24,7 @@ SETTLING = 0.05
 class EmulatedStickInMotion(RunningDevice):
     """A board of its own for each trial."""
 
+    forces = (True, True, True)
     channels = (
         Channel("motor_x", "N", "commanded motor force after clipping, with centring, nominal"),
         Channel("motor_y", "N", "commanded motor force after clipping, with centring, nominal"),

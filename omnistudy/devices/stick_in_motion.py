@@ -80,6 +80,7 @@ def own_force(
 class StickInMotion(RunningDevice):
     """Position and rate of three axes; `_tick` is the innermost loop of a trial and kept flat."""
 
+    forces = (True, True, True)
     channels = (
         Channel("motor_x", "N", "motor force at the handle after clipping, with centring"),
         Channel("motor_y", "N", "motor force at the handle after clipping, with centring"),
