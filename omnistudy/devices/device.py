@@ -119,3 +119,4 @@ class RunningDevice(ABC):
 
     def close(self) -> None:
         """Let the hardware go; whatever pushes must then be soft."""
+        return
