@@ -22,6 +22,7 @@ export interface Body {
   z: number;
   yaw: number;
   colour: string;
+  solid: boolean;
   hinge: { x: number; y: number } | null;
   motion: Patrol | Timetable | null;
 }
@@ -49,6 +50,14 @@ export interface Link {
   } | null;
 }
 
+/** Rays of a range sensor in the robot's frame; `height` above the floor. */
+export interface Sight {
+  origins: [number, number][];
+  angles: number[];
+  height: number;
+  max_range: number;
+}
+
 export interface Leg { target: string; path: [number, number][] }
 
 /** What a stage needs to draw a robot in a world. */
@@ -57,6 +66,7 @@ export interface Setting {
   legs: Leg[];
   links: Link[];
   footprint: [number, number];
+  sight: Sight | null;
 }
 
 export interface Film extends Setting {
@@ -65,6 +75,7 @@ export interface Film extends Setting {
   trial: number;
   participant: string;
   condition: string;
+  masked: boolean;
   route: string;
   status: string;
   end: number;

@@ -1,6 +1,7 @@
 /** What arrives from a trial while it is driven. */
 
 import type { Moment, Setting } from "./film";
+import { ServerClock } from "./server_clock";
 
 export interface State {
   trial: number;
@@ -10,23 +11,32 @@ export interface State {
   lines: string[];
   collisions: number;
   events: [number, string, string][];
-  hits: [number, number][];
-  late: number;
+  rays: [from: [number, number], to: [number, number]][];
+  health: Measure[];
   status: string;
   made: number;
 }
 
-export interface Lag { trial: number; frames: number; median_ms: number; p99_ms: number }
+export interface Measure { name: string; value: number; unit: string; ok: boolean }
+
+/** Of the participant's screen, ms; `clock_ms` is how far off the numbers may be. */
+export interface Lag { trial: number; frames: number; median_ms: number; p99_ms: number; clock_ms: number }
+
+export interface Coming { place: number; kind: string; label: string; route: string; expected_s: number }
 
 export interface LiveSetting extends Setting {
   trial: number;
   participant: string;
   label: string;
+  masked: boolean;
+  kind: string;
   route: string;
+  visit: number;
   place: number;
   places: number;
   expected_s: number;
-  following: string;
+  coming: Coming[];
+  pause_s: number;
   boundary: [number, number][];
 }
 
@@ -35,21 +45,28 @@ export function momentOf(state: State): Moment {
   return { t: state.t, x: value("x"), y: value("y"), theta: value("theta"), value };
 }
 
+interface Told { state: State | null; lag: Lag | null }
+interface Answered { clock: number; at: number }
+
 const SILENCE = 2000;
 /** ms without a word from the server after which the connection counts as lost. */
 const STALL = 300;
 const AGAIN = 500;
+const ASK_CLOCK = 500;
+/** ms between questions after the session's clock. */
 
 /** The connection to the server: the latest state, and a way to answer. It connects again by itself. */
 export class Live {
   state: State | null = null;
   lag: Lag | null = null;
+  readonly clock = new ServerClock();
   private socket: WebSocket | null = null;
   private heardAt = performance.now();
   private lookedAt = performance.now();
 
   constructor(private readonly onSetting: (setting: LiveSetting) => void) {
     this.connect();
+    setInterval(() => this.say({ clock: performance.now() }), ASK_CLOCK);
   }
 
   /** To be asked at every frame; time in which the page itself stood still does not count. */
@@ -64,12 +81,23 @@ export class Live {
     if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(answer));
   }
 
+  /** Tell that a state is on the screen now. */
+  drew({ trial, made }: State): void {
+    if (!Number.isFinite(this.clock.within)) return;
+    this.say({ drawn: made, trial, at: this.clock.now / 1000, within: this.clock.within / 1000 });
+  }
+
   private connect(): void {
     const socket = new WebSocket(`ws${location.protocol.slice(4)}//${location.host}/live`);
     this.socket = socket;
+    socket.addEventListener("open", () => this.say({ clock: performance.now() }));
     socket.addEventListener("message", (message) => {
       this.heardAt = performance.now();
-      const told = JSON.parse(message.data as string) as { state: State | null; lag: Lag | null };
+      const told = JSON.parse(message.data as string) as Told | Answered;
+      if ("clock" in told) {
+        this.clock.learn(told.clock, told.at);
+        return;
+      }
       if (told.state && told.state.trial !== this.state?.trial) void this.fetchSetting(told.state.trial);
       this.state = told.state;
       this.lag = told.lag;

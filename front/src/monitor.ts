@@ -1,59 +1,16 @@
 /** The experimenter's monitor: the plan with rays and boundary, numbers, what happens, what comes. */
 
-import {
-  BufferGeometry, Float32BufferAttribute, Group, LineBasicMaterial, LineLoop, LineSegments, Points,
-  PointsMaterial,
-} from "three";
-import { FORCE_X, FORCE_Y, TORQUE_LEFT } from "./colours";
+import { Bars } from "./bars";
+import { EventLog } from "./event_log";
+import { Health, measured } from "./health";
 import { Live, momentOf, type LiveSetting, type State } from "./live";
-import { Stage, VIEWS, type View } from "./stage";
+import { named, Progress, remaining } from "./progress";
+import { layer, Scanned } from "./sensed";
+import { Stage, VIEWS, VIEW_NAMES, type View } from "./stage";
 import { clock, make } from "./words";
 
-const RAY = "#7fb8e6";
-const RAY_AHEAD = "#1f9d55";
-const AHEAD = 0.6;
-/** rad to either side that the thesis draws as the front sector (rays 52 to 76 of 128). */
 const CAPACITY = 40_000;
-const BARS: [name: string, title: string, unit: string, most: number, colour: string][] = [
-  ["fx", "Force forward", "N", 13.5, FORCE_X],
-  ["fy", "Force left", "N", 13.5, FORCE_Y],
-  ["tau", "Torque", "N·m", 4.4, TORQUE_LEFT],
-  ["stick_x", "Stick forward", "m", 0.1, "var(--muted)"],
-  ["stick_y", "Stick left", "m", 0.1, "var(--muted)"],
-  ["stick_theta", "Stick twist", "rad", 1.6, "var(--muted)"],
-];
-const VIEW_NAMES: { [view in View]: string } = { follow: "Follow", plan: "Plan", first: "First person" };
-
-/** The scan as the thesis draws it, and the line inside which walls push. */
-class Sensed {
-  readonly group = new Group();
-  private readonly rays = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ vertexColors: true }));
-  private readonly ends = new Points(new BufferGeometry(), new PointsMaterial({ color: "#b0102a", size: 5, sizeAttenuation: false }));
-
-  constructor(boundary: [number, number][]) {
-    const line = new BufferGeometry();
-    line.setAttribute("position", places(boundary));
-    this.group.add(new LineLoop(line, new LineBasicMaterial({ color: "#7a4b00" })), this.rays, this.ends);
-    this.group.position.z = 0.3;
-    for (const one of [this.rays, this.ends]) one.frustumCulled = false;
-  }
-
-  show(hits: [number, number][]): void {
-    const segments = hits.flatMap((hit): [number, number][] => [[0, 0], hit]);
-    const tints = hits.flatMap(([x, y]) => {
-      const tint = Math.abs(Math.atan2(y, x)) < AHEAD ? RAY_AHEAD : RAY;
-      const parts = [1, 3, 5].map((at) => parseInt(tint.slice(at, at + 2), 16) / 255);
-      return [...parts, ...parts];
-    });
-    this.rays.geometry.setAttribute("position", places(segments));
-    this.rays.geometry.setAttribute("color", new Float32BufferAttribute(tints, 3));
-    this.ends.geometry.setAttribute("position", places(hits));
-  }
-}
-
-function places(points: [number, number][]): Float32BufferAttribute {
-  return new Float32BufferAttribute(points.flatMap(([x, y]) => [x, y, 0]), 3);
-}
+const IDLE = "No trial is running.";
 
 /** One number with its name. */
 class Figure {
@@ -78,32 +35,34 @@ export function monitor(): void {
 class MonitorPage {
   readonly element: HTMLElement;
   private readonly canvas = make("canvas", { class: "scene", role: "img", "aria-label": "Plan of the world with robot, path, rays and boundary" });
-  private readonly heading = make("p", { class: "where", role: "status" }, "No trial is running.");
+  private readonly heading = make("p", { class: "where", role: "status" }, IDLE);
   private readonly message = make("p", { class: "message" });
-  private readonly log = make("ol", { class: "events" });
+  private readonly idle = make("p", { class: "idle" },
+    "What is driven appears here by itself, once a session runs with its pages: ",
+    make("code", {}, "omnistudy session run STUDY --live"));
   private readonly numbers = {
-    time: new Figure("Time"), left: new Figure("Expected to last"), target: new Figure("Target"),
-    collisions: new Figure("Collisions"), speed: new Figure("Speed"), late: new Figure("Late steps"),
-    lag: new Figure("Screen lag"), frames: new Figure("Frames shown"), next: new Figure("Next label"),
+    time: new Figure("Time"), left: new Figure("Trial, left"), session: new Figure("Visit, left"),
+    target: new Figure("Target"), collisions: new Figure("Collisions"), speed: new Figure("Speed"),
   };
-  private readonly bars = new Map<string, [HTMLElement, HTMLElement]>();
+  private readonly bars = new Bars();
+  private readonly health = new Health();
+  private readonly progress = new Progress();
+  private readonly log = new EventLog();
   private readonly live: Live;
+  private readonly scanned = new Scanned();
   private view: View = "plan";
   private stage: Stage | null = null;
-  private sensed: Sensed | null = null;
   private setting: LiveSetting | null = null;
   private drawn = 0;
-  private logged = "";
 
   constructor() {
     this.message.hidden = true;
     const numbers = make("dl", { class: "numbers" }, ...Object.values(this.numbers).map((one) => one.row));
     this.element = make("main", { class: "monitor" },
-      make("header", {}, make("h1", {}, document.title), this.heading),
-      make("div", { class: "seen" }, this.canvas, this.message),
+      make("header", {}, make("h1", {}, document.title), this.heading, make("a", { href: "/" }, "All trials")),
+      make("div", { class: "seen" }, this.canvas, this.message, this.idle),
       make("aside", { class: "log", tabindex: "0", "aria-label": "Numbers and events" },
-        numbers, this.wrench(), this.cameras(),
-        make("div", {}, make("h2", {}, "What happened"), this.log)));
+        numbers, this.bars.element, this.health.element, this.progress.element, this.cameras(), this.log.element));
     this.live = new Live((setting) => this.open(setting));
     Object.assign(window, { monitor: this });
   }
@@ -116,75 +75,70 @@ class MonitorPage {
     this.stage?.close();
     this.stage = new Stage(this.canvas, setting, CAPACITY, false);
     this.stage.view = this.view;
-    this.sensed = new Sensed(setting.boundary);
-    this.stage.onRobot(this.sensed.group);
+    this.stage.onRobot(this.scanned.group);
+    if (setting.boundary.length) this.stage.onRobot(layer(setting.boundary));
     this.setting = setting;
+    this.progress.open(setting);
     void this.stage.prepare();
   }
 
-  private where(): string {
+  private where(running: boolean): string {
     const setting = this.setting;
-    if (!this.live.state || !setting) return "No trial is running.";
-    return `Trial ${setting.trial} · ${setting.participant} · label ${setting.label} · `
-      + `${setting.route} · ${setting.place} of ${setting.places}`;
+    if (this.live.lost) return "The connection to the session is lost.";
+    if (!running || !setting) return IDLE;
+    return `Trial ${setting.trial} · ${setting.participant} · ${named(setting)} · ${setting.route} · `
+      + `visit ${setting.visit}, ${setting.kind} ${setting.place} of ${setting.places}`;
   }
 
   private frame(): void {
     requestAnimationFrame(() => this.frame());
     const state = this.live.state;
-    const where = this.live.lost ? "The connection to the session is lost." : this.where();
+    const known = state !== null && this.setting?.trial === state.trial;
+    const where = this.where(known);
     if (this.heading.textContent !== where) this.heading.textContent = where;
-    if (!state || this.setting?.trial !== state.trial || this.drawn === state.made) return;
+    this.idle.hidden = state !== null;
+    if (!state) this.rest();
+    if (!state || !known) return;
+    const running = state.status === "running";
+    const age = running ? Math.max(0, this.live.clock.now - 1000 * state.made) : 0;
+    this.health.show([...state.health, ...measured(this.live.lag, age)]);
+    if (this.drawn === state.made) return;
     this.drawn = state.made;
     const moment = momentOf(state);
     this.stage?.trail.add(moment.x, moment.y);
-    this.sensed?.show(state.hits);
+    this.scanned.show(state.rays);
     this.stage?.draw(moment, state.target);
-    this.tell(state, this.setting);
+    this.tell(state, this.setting!);
   }
 
   private tell(state: State, setting: LiveSetting): void {
-    const { numbers, live } = this;
+    const { numbers } = this;
     const value = (name: string): number => state.values[name] ?? 0;
-    numbers.time.set(state.status === "running" ? clock(state.t) : `${clock(state.t)}, ${state.status}`);
-    numbers.left.set(`${clock(setting.expected_s)} (${clock(Math.max(0, setting.expected_s - state.t))} left)`);
+    const left = Math.max(0, setting.expected_s - state.t);
+    const running = state.status === "running";
+    numbers.time.set(running ? clock(state.t) : `${clock(state.t)}, ${state.status}`);
+    numbers.left.set(running ? `${clock(left)} of ${clock(setting.expected_s)}` : "–");
+    numbers.session.set(clock(remaining(setting, state)));
     numbers.target.set(state.target ?? "none");
     numbers.collisions.set(`${state.collisions}`);
     numbers.speed.set(`${Math.hypot(value("vx"), value("vy")).toFixed(2)} m/s`);
-    numbers.late.set(`${state.late}`);
-    numbers.lag.set(live.lag ? `${live.lag.median_ms.toFixed(0)} ms, p99 ${live.lag.p99_ms.toFixed(0)} ms` : "no screen");
-    numbers.frames.set(`${live.lag?.frames ?? 0}`);
-    numbers.next.set(setting.following || "none");
-    for (const [name, , unit, most] of BARS) {
-      const [bar, text] = this.bars.get(name)!;
-      const part = Math.max(-1, Math.min(1, value(name) / most));
-      bar.style.left = `${50 + Math.min(part, 0) * 50}%`;
-      bar.style.width = `${Math.abs(part) * 50}%`;
-      text.textContent = `${value(name).toFixed(2)} ${unit}`;
-    }
+    this.bars.show(value);
     const lines = state.lines.join("\n");
     if (this.message.textContent !== lines) this.message.textContent = lines;
     this.message.hidden = lines === "";
-    this.list(state);
+    this.log.show(state.trial, state.events);
   }
 
-  private list(state: State): void {
-    const known = JSON.stringify(state.events);
-    if (known === this.logged) return;
-    this.logged = known;
-    this.log.replaceChildren(...[...state.events].reverse().map(([t, kind, detail]) => make("li", {},
-      make("span", { class: "time" }, clock(t)), ` ${kind.replaceAll("_", " ")} `,
-      make("span", { class: "detail" }, detail))));
-  }
-
-  private wrench(): HTMLElement {
-    const rows = BARS.map(([name, title, , , colour]) => {
-      const bar = make("span", { class: "bar", style: `background: ${colour}` });
-      const text = make("span", { class: "figure" }, "–");
-      this.bars.set(name, [bar, text]);
-      return make("li", {}, make("span", {}, title), make("span", { class: "track" }, bar), text);
-    });
-    return make("div", {}, make("h2", {}, "Wrench and stick"), make("ul", { class: "bars" }, ...rows));
+  /** Show that nothing runs: old numbers would pass for new ones. */
+  private rest(): void {
+    if (this.drawn === 0) return;
+    this.drawn = 0;
+    for (const figure of Object.values(this.numbers)) figure.set("–");
+    this.bars.show(null);
+    this.health.show([]);
+    this.progress.close();
+    this.message.hidden = true;
+    this.setting = null;
   }
 
   private cameras(): HTMLElement {

@@ -88,8 +88,7 @@ class ParticipantPage {
     if (!this.stage.draw(momentOf(state), null)) return;
     this.frames += 1;
     this.drawn = state.made;
-    const { trial, made } = state;
-    requestAnimationFrame(() => this.live.say({ drawn: made, trial }));
+    requestAnimationFrame(() => this.live.drew(state));
   }
 
   /** The one button has the focus whenever it can be pressed: one switch is enough. */

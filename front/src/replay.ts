@@ -3,9 +3,10 @@
 import { clock, make } from "./words";
 import { collisionsAt, linesAt, Record, targetAt, type Film } from "./film";
 import { Plots } from "./plots";
-import { Stage, VIEWS, type View } from "./stage";
+import { Rays } from "./rays";
+import { Scanned } from "./sensed";
+import { Stage, VIEWS, VIEW_NAMES, type View } from "./stage";
 
-const VIEW_NAMES: { [view in View]: string } = { follow: "Follow", plan: "Plan", first: "First person" };
 const SPEEDS = [0.25, 0.5, 1, 2, 4, 8];
 const FINE = new URLSearchParams(location.hash.slice(1)).has("fine");
 /** Asked for where a picture counts more than speed. */
@@ -20,6 +21,8 @@ class Reel {
   readonly plots: Plots;
   private readonly message = make("p", { class: "message", role: "status" });
   private readonly count = make("output", { class: "collisions" });
+  readonly scanned = new Scanned();
+  private readonly rays: Rays | null;
   private readonly heading: Float32Array;
 
   constructor(readonly film: Film, end: number) {
@@ -33,12 +36,15 @@ class Reel {
     this.element = make("section", { class: "reel" },
       make("header", {},
         make("h2", {}, `Trial ${film.trial}`),
-        make("p", {}, [film.participant, film.condition, film.route, time].join(" · ")),
+        make("p", {}, [film.participant, film.masked ? `label ${film.condition}` : film.condition, film.route, time].join(" · ")),
         ...(film.virtual ? [make("p", { class: "mark" }, "virtual participant")] : [])),
       make("div", { class: "seen" }, scene, this.message, this.count),
       plot);
     this.stage = new Stage(scene, film, this.record.t.length, FINE);
     this.plots = new Plots(plot, film, this.record, end);
+    this.rays = film.sight && new Rays(film.sight, film.scene);
+    this.scanned.group.visible = false;
+    this.stage.onRobot(this.scanned.group);
     const [x, y] = [this.record.of("x"), this.record.of("y")];
     x.forEach((at, i) => this.stage.trail.add(at, y[i]!));
     const hits = film.events.filter(([, kind]) => kind === "collision");
@@ -64,6 +70,7 @@ class Reel {
     const span = this.record.t[at]! - this.record.t[before]! || 1;
     const part = Math.min(Math.max((t - this.record.t[before]!) / span, 0), 1);
     const heading = this.heading[before]! * (1 - part) + this.heading[at]! * part;
+    if (this.rays && this.scanned.group.visible) this.scanned.show(this.rays.hits(moment));
     this.stage.draw(moment, targetAt(this.film, t), heading);
     this.plots.show(t);
   }
@@ -185,18 +192,28 @@ class Player {
       ...SPEEDS.map((one) => make("option", { value: String(one) }, `${one}×`)));
     speed.value = "1";
     speed.addEventListener("change", () => { this.speed = Number(speed.value); });
-    const arrows = make("input", { type: "checkbox" });
-    arrows.checked = true;
-    arrows.addEventListener("change", () => {
-      for (const { stage } of this.reels) stage.forces.group.visible = arrows.checked;
-      this.seek(this.t);
+    const arrows = this.option(true, (on) => {
+      for (const { stage } of this.reels) stage.forces.group.visible = on;
+    });
+    const rays = this.option(false, (on) => {
+      for (const { scanned } of this.reels) scanned.group.visible = on;
     });
     const full = make("button", { type: "button" }, "Full screen");
     full.addEventListener("click", () => void document.documentElement.requestFullscreen());
     return make("div", { class: "controls" },
       make("div", { class: "row" }, this.play, this.scrub, this.time),
       make("div", { class: "row" }, this.cameras(), make("label", {}, "Speed ", speed),
-        make("label", {}, arrows, " Force arrows"), full));
+        make("label", {}, arrows, " Force arrows"), make("label", {}, rays, " Rays"), full));
+  }
+
+  private option(on: boolean, choose: (on: boolean) => void): HTMLInputElement {
+    const box = make("input", { type: "checkbox" });
+    box.checked = on;
+    box.addEventListener("change", () => {
+      choose(box.checked);
+      this.seek(this.t);
+    });
+    return box;
   }
 
   private cameras(): HTMLElement {

@@ -13,6 +13,7 @@ import { World } from "./world";
 
 export type View = "follow" | "plan" | "first";
 export const VIEWS: View[] = ["follow", "plan", "first"];
+export const VIEW_NAMES: { [view in View]: string } = { follow: "Follow", plan: "Plan", first: "First person" };
 
 /** What a person at the robot sees: places in m, the angle from below to above in rad. */
 export interface Eye { height: number; ahead: number; field_of_view: number }

@@ -6,16 +6,19 @@ interface Listed {
   trial: number;
   participant: string;
   position: number;
-  condition: string | null;
+  condition: string;
   route: string;
   status: string;
   duration_s: number | null;
   collisions: number | null;
 }
 
-interface TrialList { study: string; title: string; virtual: boolean; trials: Listed[] }
+interface TrialList { study: string; title: string; virtual: boolean; masked: boolean; trials: Listed[] }
 
-const HEADS = ["Trial", "Participant", "Place", "Condition", "Route", "Status", "Time", "Collisions", "Side by side"];
+const HEADS = (masked: boolean): string[] => [
+  "Trial", "Participant", "Place", masked ? "Label" : "Condition", "Route", "Status", "Time",
+  "Collisions", "Side by side",
+];
 
 export function trials(list: TrialList): void {
   const chosen = new Set<number>();
@@ -26,7 +29,7 @@ export function trials(list: TrialList): void {
     else chosen.delete(trial.trial);
     both.disabled = chosen.size !== 2;
   }));
-  const head = make("tr", {}, ...HEADS.map((name) => make("th", { scope: "col" }, name)));
+  const head = make("tr", {}, ...HEADS(list.masked).map((name) => make("th", { scope: "col" }, name)));
   document.body.append(make("main", { class: "list" },
     make("h1", {}, `Trials of ${list.study}`),
     make("p", {}, list.title, ...(list.virtual ? [" ", make("span", { class: "mark" }, "virtual participants")] : [])),
@@ -42,7 +45,7 @@ function row(trial: Listed, choose: (on: boolean) => void): HTMLElement {
   box.addEventListener("change", () => choose(box.checked));
   const time = trial.duration_s === null ? "" : clock(trial.duration_s);
   const cells = [
-    trial.participant, `${trial.position}`, trial.condition ?? "", trial.route, trial.status, time,
+    trial.participant, `${trial.position}`, trial.condition, trial.route, trial.status, time,
     trial.collisions === null ? "" : `${trial.collisions}`,
   ];
   return make("tr", {}, make("th", { scope: "row" }, link),

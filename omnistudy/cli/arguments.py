@@ -49,3 +49,7 @@ AsJson = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 Workers = Annotated[
     int | None, typer.Option(min=1, help="Processes; as many as there are cores unless given.")
 ]
+Unmask = Annotated[
+    bool,
+    typer.Option("--unmask", help="Name conditions, in place of the labels that mask them."),
+]

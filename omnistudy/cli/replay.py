@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from omnistudy.cli.arguments import AsJson, StudyArgument
+from omnistudy.cli.arguments import AsJson, StudyArgument, Unmask
 from omnistudy.cli.output import print_json, print_line, progress
 
 if TYPE_CHECKING:
@@ -68,6 +68,7 @@ def replay(
     ] = None,
     rate: Annotated[float, typer.Option(min=0.1, max=60, help="Pictures a second.")] = 25.0,
     camera: Annotated[Camera, typer.Option(help="Where a film is seen from.")] = Camera.follow,
+    unmask: Unmask = False,
     force: Annotated[bool, typer.Option("--force", help="Replace pictures or a video.")] = False,
     json: AsJson = False,
 ) -> None:
@@ -86,7 +87,7 @@ def replay(
         raise TooManyTrials(len(trials))
     path = resolve_study(study)
     with open_study(path) as opened:
-        films = [film(opened, number) for number in trials]
+        films = [film(opened, number, unmask=unmask) for number in trials]
     text = replay_page(films)
     if frames or video:
         last = max(film.end for film in films)
@@ -123,7 +124,7 @@ def _told(film: Film) -> dict[str, object]:
     return {
         "trial": film.trial,
         "participant": film.participant,
-        "condition": film.condition,
+        "label" if film.masked else "condition": film.condition,
         "status": film.status,
         "end_s": film.end,
     }

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from omnistudy.cli.arguments import StudyArgument
+from omnistudy.cli.arguments import StudyArgument, Unmask
 from omnistudy.cli.output import print_line
 
 app = typer.Typer(add_completion=False)
@@ -22,11 +22,14 @@ def view(
     token: Annotated[
         str | None, typer.Option(help="Word that opens the pages; made up unless given.")
     ] = None,
+    unmask: Unmask = False,
     open_browser: Annotated[
         bool, typer.Option("--open/--no-open", help="Open the page in the browser.")
     ] = True,
 ) -> None:
-    """Serve a study's trials to the browser until Ctrl-C.
+    """Serve a study's trials, and the monitor of one that is driven, until Ctrl-C.
+
+    Conditions are called by their masked labels.
 
     Example: omnistudy view first
     """
@@ -40,4 +43,4 @@ def view(
         if open_browser:
             webbrowser.open(address)
 
-    serve(resolve_study(study), host=host, port=port, token=token, ready=ready)
+    serve(resolve_study(study), host=host, port=port, token=token, unmask=unmask, ready=ready)

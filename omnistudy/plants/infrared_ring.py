@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from pydantic import Field, model_validator
 
 from omnistudy.registry import KindModel
+from omnistudy.scene import Sight
 from omnistudy.units import Hertz, Metres, Positive, Radians, Ratio
 
 
@@ -83,3 +84,13 @@ class InfraredRing(KindModel):
             ]
         )
         return np.concatenate([left, left[::-1] * (1.0, -1.0)])
+
+    @property
+    def sight(self) -> Sight:
+        """Its rays, as they would be without noise."""
+        return Sight(
+            origins=tuple((float(x), float(y)) for x, y in self.origins),
+            angles=tuple(self.angles.tolist()),
+            height=self.height,
+            max_range=self.max_range,
+        )

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from pydantic import Field
 
 from omnistudy.registry import Model
+from omnistudy.scene import Sight
 from omnistudy.units import Metres, Positive, Radians
 
 
@@ -28,3 +29,13 @@ class Lidar(Model):
     def angles(self) -> NDArray[np.float64]:
         """(rays,) rad, robot frame, counter-clockwise."""
         return self.first + np.arange(self.rays, dtype=np.float64) * (2.0 * pi / self.rays)
+
+    @property
+    def sight(self) -> Sight:
+        """Its rays, which all start at the robot's centre."""
+        return Sight(
+            origins=((0.0, 0.0),) * self.rays,
+            angles=tuple(self.angles.tolist()),
+            height=self.height,
+            max_range=self.max_range,
+        )

@@ -12,7 +12,7 @@ from omnistudy.plants.lidar import Lidar
 from omnistudy.plants.mecanum import MecanumBase
 from omnistudy.plants.plant import RunningPlant
 from omnistudy.plants.wheel_servo import WheelServo
-from omnistudy.scene import Scene
+from omnistudy.scene import Scene, Sight
 from omnistudy.units import Kilograms, Metres, NewtonMetres, Newtons, Positive
 
 
@@ -45,3 +45,8 @@ class Nexus(MecanumBase):
         from omnistudy.plants.nexus_physics import RunningNexus
 
         return RunningNexus(self, scene, start, physics_hz, seed)
+
+    @property
+    def sight(self) -> Sight:
+        """The rays of its range sensors."""
+        return self.sensors.sight

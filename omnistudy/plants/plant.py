@@ -9,7 +9,7 @@ from typing import Any
 from omnistudy.channel import Channel
 from omnistudy.geometry import PlanarPose, Scan
 from omnistudy.registry import KindModel
-from omnistudy.scene import Box, Link, Scene
+from omnistudy.scene import Box, Link, Scene, Sight
 
 PLAIN_HEIGHT = 0.2
 """Of the block in m that stands for a robot of unknown looks."""
@@ -45,6 +45,11 @@ class Plant(KindModel, ABC):
         """What is seen of it, parents before children; one plain block unless given."""
         block = Box(x=self.width, y=self.width, z=PLAIN_HEIGHT)
         return (Link(name="base", geometry=block, z=0.5 * PLAIN_HEIGHT),)
+
+    @property
+    def sight(self) -> Sight | None:
+        """The rays of its range sensor; None without one."""
+        return None
 
 
 class RunningPlant(ABC):

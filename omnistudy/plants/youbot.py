@@ -8,7 +8,7 @@ from omnistudy.geometry import PlanarPose
 from omnistudy.plants.lidar import Lidar
 from omnistudy.plants.mecanum import MecanumBase
 from omnistudy.plants.plant import RunningPlant
-from omnistudy.scene import Scene
+from omnistudy.scene import Scene, Sight
 from omnistudy.units import Kilograms, Metres, NewtonMetres, Newtons, Positive
 
 
@@ -32,3 +32,8 @@ class Youbot(MecanumBase):
         from omnistudy.plants.youbot_physics import RunningYoubot
 
         return RunningYoubot(self, scene, start, physics_hz)
+
+    @property
+    def sight(self) -> Sight:
+        """The rays of its range sensor."""
+        return self.lidar.sight

@@ -3,6 +3,7 @@
 from omnistudy.scene.motion import Moment, Motion, Patrol, Timetable, Track
 from omnistudy.scene.robot import Joint, Link
 from omnistudy.scene.scene import HINGE, Body, Box, Colour, Cylinder, Hinge, Region, Role, Scene
+from omnistudy.scene.sight import Sight
 from omnistudy.scene.state import NO_CONTACT, Contacts, PlanarState
 
 __all__ = [
@@ -23,6 +24,7 @@ __all__ = [
     "Region",
     "Role",
     "Scene",
+    "Sight",
     "Timetable",
     "Track",
 ]

@@ -7,15 +7,21 @@ from omnistudy.registry import Model
 
 
 class Lag(Model):
-    """From a state of the simulation to the word back that its frame was drawn, ms.
+    """How long it took from a state of the simulation to the frame that shows it, ms.
 
-    frames : drawn so far.
+    It begins when the state is written and ends with the page's first animation frame after the one
+    it was drawn in: the picture has then been handed to the display. The way back to the server is
+    not in it.
+
+    frames : drawn so far. clock_ms : how far off every number may be, since the page knows the
+    session's clock only to half of its quickest question and answer.
     """
 
     trial: int
     frames: int
     median_ms: float
     p99_ms: float
+    clock_ms: float
 
 
 class Answer(Model):

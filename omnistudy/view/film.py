@@ -14,10 +14,11 @@ from omnistudy.errors.view import NothingToShow
 from omnistudy.metrics.clearance import clearance
 from omnistudy.protocol import Setup
 from omnistudy.registry import Model
-from omnistudy.scene import Link, Scene
+from omnistudy.scene import Link, Scene, Sight
 from omnistudy.store.study_file import StudyFile
 from omnistudy.study.frozen import frozen_protocol
 from omnistudy.view.captions import Caption, captions
+from omnistudy.view.labels import Labels
 from omnistudy.worlds import Leg
 
 Floats = NDArray[np.float64]
@@ -35,17 +36,22 @@ class Series(Model):
 
 
 class Setting(Model):
-    """What a robot is shown in: the world, the way, the robot's looks; lengths in m."""
+    """What a robot is shown in: the world, the way, the robot's looks; lengths in m.
+
+    sight : rays of its range sensor; None without one.
+    """
 
     scene: Scene
     legs: tuple[Leg, ...]
     links: tuple[Link, ...]
     footprint: tuple[float, float]
+    sight: Sight | None
 
 
 class Film(Setting):
     """One trial to be looked at; times in s since it opened, lengths in m.
 
+    condition : its masked label where `masked`, else its name.
     `series` has "t" and every channel that was recorded at the sample rate.
     """
 
@@ -54,6 +60,7 @@ class Film(Setting):
     trial: int
     participant: str
     condition: str
+    masked: bool
     route: str
     status: str
     end: float
@@ -64,8 +71,11 @@ class Film(Setting):
     captions: tuple[Caption, ...]
 
 
-def film(study: StudyFile, trial: int) -> Film:
-    """Read a trial of a study; raises NoSuchTrial, NothingToShow, and what reading raises."""
+def film(study: StudyFile, trial: int, *, unmask: bool = False) -> Film:
+    """Read a trial of a study; raises NoSuchTrial, NothingToShow, and what reading raises.
+
+    unmask : name the condition; otherwise the film holds nothing but its masked label.
+    """
     samples = study.sample_array(trial)
     row = _row(study, trial)
     if len(samples) == 0:
@@ -83,7 +93,8 @@ def film(study: StudyFile, trial: int) -> Film:
         virtual=study.study.kind == "virtual",
         trial=trial,
         participant=row["participant"],
-        condition=row["condition"],
+        condition=Labels(study, unmask=unmask).of(row["condition"]),
+        masked=not unmask,
         route=row["route"],
         status=row["status"],
         end=end,
@@ -107,6 +118,7 @@ def setting_of(setup: Setup, route: str) -> Setting:
         legs=next(routes, ()),
         links=setup.plant.links,
         footprint=setup.plant.footprint,
+        sight=setup.plant.sight,
     )
 
 

@@ -5,10 +5,9 @@ from __future__ import annotations
 import asyncio
 import json
 import time
-from collections import deque
+from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
-from statistics import median
 
 from starlette.requests import Request
 from starlette.responses import HTMLResponse, Response
@@ -24,24 +23,23 @@ from omnistudy.view.guard import HEADERS
 from omnistudy.view.live_files import answer_file, state_file
 from omnistudy.view.live_setting import live_setting
 from omnistudy.view.page import live_page
+from omnistudy.view.screen_lag import ScreenLag
 from omnistudy.view.state_source import StateSource
 
 PERIOD_S = 1 / 60
 SILENCE_S = 0.5
 """After so long without news a page is told that there is none."""
-LAGS_KEPT = 36_000
-"""Frames of ten minutes."""
 
 
 class LivePages:
     """Routes of live pages. Each connection takes the latest state when it is ready for one."""
 
-    def __init__(self, study: Path, answering: bool) -> None:
+    def __init__(self, study: Path, *, answering: bool, unmask: bool) -> None:
         self._study = study
         self._answering = answering
+        self._unmask = unmask
         self._answer = Answer()
-        self._lags: deque[float] = deque(maxlen=LAGS_KEPT)
-        self._lag_trial = 0
+        self._screen_lag = ScreenLag()
         self._told_at = 0.0
 
     @property
@@ -75,7 +73,7 @@ class LivePages:
 
     def _setting(self, request: Request) -> Response:
         with open_study(self._study) as opened:
-            found = live_setting(opened, request.path_params["trial"])
+            found = live_setting(opened, request.path_params["trial"], unmask=self._unmask)
         return Response(found.model_dump_json(), headers=HEADERS, media_type="application/json")
 
     async def _live(self, socket: WebSocket) -> None:
@@ -110,21 +108,18 @@ class LivePages:
                 said = json.loads(await socket.receive_text())
                 if "stop" in said:
                     self._say(stop=int(said["stop"]))
+                if "clock" in said:
+                    told = {"clock": said["clock"], "at": time.monotonic()}
+                    await socket.send_text(json.dumps(told))
                 if "drawn" in said:
-                    self._drawn(int(said["trial"]), float(said["drawn"]))
+                    self._drew(said)
 
-    def _drawn(self, trial: int, made: float) -> None:
-        """Count a frame of the participant's screen."""
-        if trial != self._lag_trial:
-            self._lag_trial = trial
-            self._lags.clear()
-        self._lags.append(1000.0 * (time.monotonic() - made))
+    def _drew(self, said: Mapping[str, float]) -> None:
+        """Count a frame of the participant's screen, and tell the session now and then."""
+        self._screen_lag.drew(int(said["trial"]), said["drawn"], said["at"], said["within"])
         if time.monotonic() - self._told_at > SILENCE_S:
             self._told_at = time.monotonic()
-            ordered = sorted(self._lags)
-            p99 = ordered[min(len(ordered) - 1, round(0.99 * len(ordered)))]
-            lag = Lag(trial=trial, frames=len(ordered), median_ms=median(ordered), p99_ms=p99)
-            self._say(lag=lag)
+            self._say(lag=self._screen_lag.lag())
 
     def _say(self, stop: int | None = None, lag: Lag | None = None) -> None:
         """Tell the session."""

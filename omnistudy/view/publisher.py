@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from math import isfinite
 
+import numpy as np
 from pydantic_core import to_json
 
 from omnistudy.channel import Channel, LatestValue
@@ -12,10 +13,13 @@ from omnistudy.session.live import RealTime
 from omnistudy.trial import Glimpse
 from omnistudy.view.answer import Answer
 from omnistudy.view.captions import Captions
+from omnistudy.view.health import LoopHealth, Measure
 
 LAST_EVENTS = 12
 """Events that a state carries: a page may have missed those before."""
 WRENCH = ("fx", "fy", "tau")
+
+Place = tuple[float, float]
 
 
 class Publisher(RealTime):
@@ -29,6 +33,7 @@ class Publisher(RealTime):
         self._names: tuple[str, ...] = ()
         self._captions = Captions()
         self._taken = 0
+        self._loop = LoopHealth()
         self._shown: dict[str, object] = {}
 
     def begin(self, plant: tuple[Channel, ...], axes: tuple[Channel, ...]) -> None:
@@ -51,8 +56,8 @@ class Publisher(RealTime):
             "lines": self._captions.now,
             "collisions": glimpse.collisions,
             "events": glimpse.events[-LAST_EVENTS:],
-            "hits": _hits(glimpse),
-            "late": self.late,
+            "rays": _rays(glimpse),
+            "health": self._health(glimpse.t),
             "status": "running",
         }
         self._write()
@@ -67,7 +72,10 @@ class Publisher(RealTime):
         lag = Answer.latest(self._answer).lag
         if lag is None or lag.trial != self._trial:
             return super().remarks()
-        told = f"lag {lag.median_ms:.1f} ms median, {lag.p99_ms:.1f} ms p99, {lag.frames} frames"
+        told = (
+            f"lag {lag.median_ms:.1f} ms median, {lag.p99_ms:.1f} ms p99, {lag.frames} frames, "
+            f"clock within {lag.clock_ms:.1f} ms"
+        )
         return (*super().remarks(), ("display", told))
 
     @property
@@ -75,15 +83,22 @@ class Publisher(RealTime):
         """Whether somebody pressed stop during this trial."""
         return Answer.latest(self._answer).stop == self._trial
 
+    def _health(self, t: float) -> tuple[Measure, ...]:
+        """Give what the experimenter should know of the trial's parts."""
+        return self._loop.measures(t, self.late, time.monotonic() - self._opened - t)
+
     def _write(self) -> None:
         stamped = {**self._shown, "made": time.monotonic()}
         self._state.write(to_json(stamped, inf_nan_mode="null"))
 
 
-def _hits(glimpse: Glimpse) -> list[tuple[float, float]]:
-    """Give where rays end at something, in the robot's frame, to the millimetre."""
+def _rays(glimpse: Glimpse) -> list[tuple[Place, Place]]:
+    """Give rays that met something, from and to, in the robot's frame, to the millimetre."""
     scan = glimpse.scan
     if scan is None:
         return []
-    ends = scan.points()[scan.ranges < scan.max_range]
-    return [(round(x, 3), round(y, 3)) for x, y in ends.tolist() if isfinite(x)]
+    met = scan.ranges < scan.max_range
+    ends = scan.points()
+    starts = np.zeros_like(ends) if scan.origins is None else scan.origins
+    rays = np.stack((starts, ends), axis=1)[met].round(3).tolist()
+    return [((ox, oy), (x, y)) for (ox, oy), (x, y) in rays if isfinite(x)]

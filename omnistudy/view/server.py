@@ -28,21 +28,24 @@ from omnistudy.view.trials import trial_list
 STATUSES: dict[type[OmnistudyError], int] = {NoSuchTrial: 404, NothingToShow: 404, StudyBusy: 503}
 
 
-def application(study: Path, access: Access, answering: bool = False) -> Starlette:
+def application(
+    study: Path, access: Access, *, answering: bool = False, unmask: bool = False
+) -> Starlette:
     """Give the pages of a study as an application.
 
     answering : what pages of a live trial answer is told to the session.
+    unmask : conditions are called by name; otherwise by masked labels alone.
     """
-    live = LivePages(study, answering)
+    live = LivePages(study, answering=answering, unmask=unmask)
 
     def trials(request: Request) -> HTMLResponse:
         with open_study(study) as opened:
-            return HTMLResponse(trials_page(trial_list(opened)), headers=HEADERS)
+            return HTMLResponse(trials_page(trial_list(opened, unmask=unmask)), headers=HEADERS)
 
     def replay(request: Request) -> HTMLResponse:
         numbers = request.path_params.values()
         with open_study(study) as opened:
-            films = [film(opened, number) for number in numbers]
+            films = [film(opened, number, unmask=unmask) for number in numbers]
         return HTMLResponse(replay_page(films), headers=HEADERS)
 
     return Starlette(
@@ -64,6 +67,7 @@ def serve(
     port: int = 0,
     token: str | None = None,
     answering: bool = False,
+    unmask: bool = False,
     ready: Callable[[str], object],
 ) -> None:
     """Serve a study's pages until interrupted; `ready` is told their address, with the token.
@@ -78,9 +82,8 @@ def serve(
     except OSError as refused:
         raise AddressTaken(host, port, refused.strerror or str(refused)) from refused
     hosts = LOOPBACK if host in LOOPBACK else (*LOOPBACK, host)
-    config = uvicorn.Config(
-        application(study, Access(chosen, hosts), answering), log_level="warning", access_log=False
-    )
+    pages = application(study, Access(chosen, hosts), answering=answering, unmask=unmask)
+    config = uvicorn.Config(pages, log_level="warning", access_log=False)
     with listening:
         ready(f"http://{host}:{listening.getsockname()[1]}/?token={chosen}")
         uvicorn.Server(config).run(sockets=[listening])

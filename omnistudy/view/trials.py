@@ -4,17 +4,21 @@ from __future__ import annotations
 
 from omnistudy.registry import Model
 from omnistudy.store.study_file import StudyFile
+from omnistudy.view.labels import Labels
 
 SHOWN = ("trial", "participant", "position", "condition", "route", "status")
 
 
 class ListedTrial(Model):
-    """One row of the list; numbers are None until the trial was run."""
+    """One row of the list; numbers are None until the trial was run.
+
+    condition : as the list calls it, "" until it is chosen.
+    """
 
     trial: int
     participant: str
     position: int
-    condition: str | None
+    condition: str
     route: str
     status: str
     duration_s: float | None
@@ -22,25 +26,32 @@ class ListedTrial(Model):
 
 
 class TrialList(Model):
-    """A study's trials in their order."""
+    """A study's trials in their order.
+
+    masked : whether conditions are called by their masked labels.
+    """
 
     study: str
     title: str
     virtual: bool
+    masked: bool
     trials: tuple[ListedTrial, ...]
 
 
-def trial_list(study: StudyFile) -> TrialList:
-    """Read which trials there are."""
+def trial_list(study: StudyFile, *, unmask: bool = False) -> TrialList:
+    """Read which trials there are; `unmask` gives the names of their conditions."""
     table = study.trials()
     rows = table[[*SHOWN, "duration_s", "collisions"]].astype(object)
-    records = rows.where(table[rows.columns].notna(), None).to_dict("records")
+    rows = rows.where(table[rows.columns].notna(), None)
+    labels = Labels(study, unmask=unmask)
+    rows["condition"] = [labels.of(condition) for condition in rows["condition"]]
     return TrialList(
         study=study.study.name,
         title=study.study.title,
         virtual=study.study.kind == "virtual",
+        masked=not unmask,
         trials=tuple(
             ListedTrial.model_validate({str(name): value for name, value in record.items()})
-            for record in records
+            for record in rows.to_dict("records")
         ),
     )

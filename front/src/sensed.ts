@@ -1,0 +1,58 @@
+/** What a robot senses, drawn on it: rays as the thesis draws them, and where walls push. */
+
+import {
+  BufferGeometry, Color, DoubleSide, Float32BufferAttribute, Group, LineBasicMaterial, LineLoop, LineSegments,
+  Mesh, MeshBasicMaterial, Points, PointsMaterial, Shape, ShapeGeometry, Vector2,
+} from "three";
+
+type Point = [number, number];
+
+const RAY = "#7fb8e6";
+const RAY_AHEAD = "#1f9d55";
+const AHEAD = (33.75 * Math.PI) / 180 + 1e-6;
+/** rad to either side that the thesis draws as the front sector: rays 52 to 76 of 128. */
+const HEIGHT = 0.3;
+
+/** Rays that met something, from where they start to where they end, in the robot's frame. */
+export class Scanned {
+  readonly group = new Group();
+  private readonly rays = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ vertexColors: true }));
+  private readonly ends = new Points(
+    new BufferGeometry(), new PointsMaterial({ color: "#b0102a", size: 5, sizeAttenuation: false }),
+  );
+
+  constructor() {
+    this.group.add(this.rays, this.ends);
+    this.group.position.z = HEIGHT;
+    for (const one of [this.rays, this.ends]) one.frustumCulled = false;
+  }
+
+  show(rays: [from: Point, to: Point][]): void {
+    const tints = rays.flatMap(([[ox, oy], [x, y]]) => {
+      const tint = Math.abs(Math.atan2(y - oy, x - ox)) < AHEAD ? RAY_AHEAD : RAY;
+      const parts = new Color(tint).toArray();
+      return [...parts, ...parts];
+    });
+    this.rays.geometry.setAttribute("position", places(rays.flat()));
+    this.rays.geometry.setAttribute("color", new Float32BufferAttribute(tints, 3));
+    this.ends.geometry.setAttribute("position", places(rays.map(([, to]) => to)));
+  }
+}
+
+/** The layer round the robot inside which walls push. */
+export function layer(boundary: Point[]): Group {
+  const group = new Group();
+  const line = new BufferGeometry();
+  line.setAttribute("position", places(boundary));
+  const skin = new MeshBasicMaterial({
+    color: "#e8a33d", transparent: true, opacity: 0.22, depthWrite: false, side: DoubleSide,
+  });
+  const outline = new Shape(boundary.map(([x, y]) => new Vector2(x, y)));
+  group.add(new LineLoop(line, new LineBasicMaterial({ color: "#7a4b00" })), new Mesh(new ShapeGeometry(outline), skin));
+  group.position.z = 0.01;
+  return group;
+}
+
+function places(points: Point[]): Float32BufferAttribute {
+  return new Float32BufferAttribute(points.flatMap(([x, y]) => [x, y, 0]), 3);
+}
