@@ -151,9 +151,10 @@ export class Record {
 }
 
 function decoded(base64: string): Float32Array {
-  const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-  const view = new DataView(bytes.buffer);
-  return Float32Array.from({ length: bytes.length / 4 }, (_, i) => view.getFloat32(4 * i, true));
+  const text = atob(base64);
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; i += 1) bytes[i] = text.charCodeAt(i);
+  return new Float32Array(bytes.buffer); // every machine that draws WebGL is little-endian, as films are
 }
 
 /** The block to be reached next, by how many were reached before a time. */

@@ -2,11 +2,11 @@
 
 import {
   BoxGeometry, BufferGeometry, CylinderGeometry, DynamicDrawUsage, Float32BufferAttribute, Group,
-  Mesh, MeshBasicMaterial, MeshLambertMaterial, Quaternion, Shape, ShapeGeometry, Vector3,
+  Mesh, MeshBasicMaterial, Quaternion, Shape, ShapeGeometry, Vector3,
 } from "three";
 import { FORCE_X, FORCE_Y, RESULTANT, TORQUE_LEFT, TORQUE_RIGHT, TRAIL } from "./colours";
 import type { Link, Moment, Setting } from "./film";
-import { rollers } from "./textures";
+import { matt, rollers } from "./textures";
 
 interface Moving { frame: Group; rest: Quaternion; place: Vector3; link: Link }
 
@@ -48,7 +48,7 @@ export class Robot {
 
 function body(link: Link): Mesh {
   const shape = link.geometry;
-  const material = new MeshLambertMaterial({ color: link.colour });
+  const material = matt({ color: link.colour });
   let mesh: Mesh;
   if (shape.shape === "box") {
     mesh = new Mesh(new BoxGeometry(shape.x, shape.y, shape.z), material);
@@ -57,8 +57,8 @@ function body(link: Link): Mesh {
     mesh = new Mesh(upright.rotateX(Math.PI / 2), material);
     if (link.surface !== "plain") {
       const tread = rollers(link.surface === "rollers_left" ? 1 : -1);
-      const cap = new MeshLambertMaterial({ color: link.colour });
-      mesh.material = [new MeshLambertMaterial({ map: tread }), cap, cap];
+      const cap = matt({ color: link.colour });
+      mesh.material = [matt({ map: tread }), cap, cap];
       mesh.add(hub(shape.radius, shape.length));
     }
   }
@@ -68,7 +68,7 @@ function body(link: Link): Mesh {
 
 /** Spokes, so that a turning wheel is seen to turn. */
 function hub(radius: number, width: number): Group {
-  const metal = new MeshLambertMaterial({ color: "#d5d8dc" });
+  const metal = matt({ color: "#d5d8dc" });
   const spokes = new Group();
   for (const turn of [0, 1, 2]) {
     const spoke = new Mesh(new BoxGeometry(1.5 * radius, 0.18 * radius, 1.04 * width), metal);
@@ -86,7 +86,7 @@ function nose({ footprint: [half, side], links }: Setting): Group {
   top.position.z = height;
   const deck = new Mesh(
     new BoxGeometry(1.7 * half, 1.5 * side, 0.02),
-    new MeshLambertMaterial({ color: "#2b2f36" }),
+    matt({ color: "#2b2f36" }),
   );
   deck.position.z = 0.01;
   const arrow = new Shape();
@@ -197,10 +197,10 @@ export class Trail {
       const [px, py] = this.last;
       const long = Math.hypot(x - px, y - py) || 1;
       const [nx, ny] = [(-(y - py) / long) * TRAIL_WIDTH * 0.5, ((x - px) / long) * TRAIL_WIDTH * 0.5];
-      const [a, b, c, d] = [[px + nx, py + ny], [px - nx, py - ny], [x - nx, y - ny], [x + nx, y + ny]];
-      [a, b, c, a, c, d].forEach((corner, i) => {
-        this.places.setXYZ(6 * this.length + i, corner![0]!, corner![1]!, 0);
-      });
+      const at = 6 * this.length;
+      this.places.setXYZ(at, px + nx, py + ny, 0).setXYZ(at + 1, px - nx, py - ny, 0);
+      this.places.setXYZ(at + 2, x - nx, y - ny, 0).setXYZ(at + 3, px + nx, py + ny, 0);
+      this.places.setXYZ(at + 4, x - nx, y - ny, 0).setXYZ(at + 5, x + nx, y + ny, 0);
       this.length += 1;
       this.places.needsUpdate = true;
       this.reveal(this.length);

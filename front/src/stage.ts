@@ -1,7 +1,7 @@
 /** One canvas: a world, a robot in it, light, and a camera. */
 
 import {
-  CircleGeometry, Color, ConeGeometry, CylinderGeometry, DirectionalLight, DoubleSide, Fog, Group,
+  CircleGeometry, Color, ConeGeometry, CylinderGeometry, DirectionalLight, Fog, Group,
   BasicShadowMap, HemisphereLight, Mesh, MeshBasicMaterial, Object3D, OrthographicCamera, PCFShadowMap,
   PerspectiveCamera, Scene, Vector3, WebGLRenderer, ACESFilmicToneMapping, type Camera,
 } from "three";
@@ -41,7 +41,9 @@ export class Stage {
   private readonly plan = new OrthographicCamera(-1, 1, 1, -1, 0.1, 60);
   private readonly cue = beacon();
   private readonly robotFrame = new Group();
+  private readonly visitor = new Group();
   private lit = "";
+  private fitted = "";
   private ready = false;
   private redraw = (): void => undefined;
   private readonly fog = new Fog(SKY, FOG_BEGINS, FOG_ENDS);
@@ -61,7 +63,7 @@ export class Stage {
     this.scene.add(new HemisphereLight("#f6f9ff", "#d8cfbe", 2.3), this.sun, this.sun.target);
     this.scene.add(
       this.world.group, this.robot.group, this.forces.group, this.trail.mesh, this.cue,
-      this.robotFrame,
+      this.robotFrame, this.visitor,
     );
     this.sun.castShadow = true;
     this.renderer.shadowMap.autoUpdate = false;
@@ -69,11 +71,11 @@ export class Stage {
     this.sun.shadow.bias = -0.0006;
     this.sun.shadow.normalBias = 0.01;
     new ResizeObserver(() => this.fit()).observe(canvas);
-    this.fit();
   }
 
   /** Let the graphics driver make ready what it draws with, without holding up the page. */
   async prepare(): Promise<void> {
+    this.fit(); // while the driver is idle: later it would have to be waited for
     await this.renderer.compileAsync(this.scene, this.perspective);
     this.ready = true;
     this.redraw();
@@ -119,6 +121,26 @@ export class Stage {
     this.robotFrame.add(thing);
   }
 
+  /** Draw for a headset from now on, each picture after `frame` was called with its time in ms. */
+  async immerse(session: XRSession, frame: (now: number) => void): Promise<void> {
+    const { xr } = this.renderer;
+    xr.enabled = true;
+    xr.setReferenceSpaceType("local-floor");
+    this.renderer.setAnimationLoop(frame);
+    await xr.setSession(session);
+    this.visitor.add(this.perspective);
+  }
+
+  /** Draw for the screen again. */
+  comeBack(): void {
+    this.renderer.setAnimationLoop(null);
+    this.renderer.xr.enabled = false;
+    this.perspective.removeFromParent();
+    this.fitted = "";
+    this.fit();
+    this.redraw();
+  }
+
   /** Say how fast drawing must be: a slow machine gets fewer pixels. */
   coarsen(ratio: number): void {
     this.renderer.setPixelRatio(ratio);
@@ -129,6 +151,7 @@ export class Stage {
     const { x, y } = moment;
     const [c, s] = [Math.cos(heading), Math.sin(heading)];
     const camera = this.perspective;
+    if (this.renderer.xr.isPresenting) return this.stand(moment, heading);
     if (this.view === "plan") return this.plan;
     if (this.view === "first") {
       const [cc, ss] = [Math.cos(moment.theta), Math.sin(moment.theta)];
@@ -142,6 +165,15 @@ export class Stage {
     }
     camera.updateProjectionMatrix();
     return camera;
+  }
+
+  /** Put a person with a headset, whose y points up, where the camera would be; the head is theirs. */
+  private stand({ x, y }: Moment, heading: number): Camera {
+    const behind = this.view === "first" ? -this.eye.ahead : 1.55;
+    this.visitor.position.set(x - behind * Math.cos(heading), y - behind * Math.sin(heading), 0);
+    this.visitor.rotation.set(Math.PI / 2, 0, heading - Math.PI / 2, "ZXY");
+    this.visitor.updateMatrixWorld();
+    return this.perspective;
   }
 
   /** Shine on what is looked at; tells whether the light is another than before. */
@@ -179,7 +211,9 @@ export class Stage {
 
   private fit(): void {
     const { clientWidth: width, clientHeight: height } = this.canvas;
-    if (!width || !height) return;
+    const size = `${width} ${height} ${this.renderer.getPixelRatio()}`;
+    if (!width || !height || size === this.fitted || this.renderer.xr.isPresenting) return;
+    this.fitted = size;
     this.renderer.setSize(width, height, false);
     this.perspective.aspect = width / height;
     const { west, east, south, north } = this.world.extent;
@@ -234,7 +268,7 @@ function beacon(): Group {
   cone.rotation.x = -Math.PI / 2;
   const column = new Mesh(
     new CylinderGeometry(0.17, 0.17, 1.0, 32, 1, true),
-    new MeshBasicMaterial({ transparent: true, opacity: 0.22, side: DoubleSide, depthWrite: false }),
+    new MeshBasicMaterial({ transparent: true, opacity: 0.22, depthWrite: false }),
   );
   column.rotation.x = Math.PI / 2;
   column.position.z = 0.5;

@@ -1,12 +1,29 @@
 /** Surfaces made by a fixed rule, so that a page needs no picture files. */
 
-import { CanvasTexture, RepeatWrapping, SRGBColorSpace, type Texture } from "three";
+import {
+  CanvasTexture, MeshLambertMaterial, RepeatWrapping, SRGBColorSpace, type MeshLambertMaterialParameters,
+  type Texture,
+} from "three";
 
 let looks = 4;
 
 /** Say how often a surface seen at a slant is looked up for each pixel, from now on. */
 export function sharpen(times: number): void {
   looks = times;
+}
+
+export type Matt = MeshLambertMaterial;
+
+let white: Texture | undefined;
+
+/** A matt surface. All have a texture, if only a white one: each other kind of surface would be one
+ * more program to be made ready before the first picture. */
+export function matt(parameters: MeshLambertMaterialParameters): Matt {
+  white ??= painted(1, (pen) => {
+    pen.fillStyle = "#ffffff";
+    pen.fillRect(0, 0, 1, 1);
+  });
+  return new MeshLambertMaterial({ map: white, ...parameters });
 }
 
 type Brush = (pen: CanvasRenderingContext2D, size: number, draw: () => number) => void;
@@ -76,7 +93,7 @@ export function rollers(slant: 1 | -1): Texture {
 function painted(size: number, brush: Brush): Texture {
   const canvas = document.createElement("canvas");
   canvas.width = canvas.height = size;
-  const pen = canvas.getContext("2d")!;
+  const pen = canvas.getContext("2d", { willReadFrequently: true })!;
   brush(pen, size, drawing(20170401));
   const texture = new CanvasTexture(canvas);
   texture.wrapS = texture.wrapT = RepeatWrapping;

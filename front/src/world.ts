@@ -2,11 +2,11 @@
 
 import {
   BoxGeometry, BufferGeometry, CircleGeometry, Color, CylinderGeometry, Float32BufferAttribute,
-  Group, Mesh, MeshLambertMaterial, PlaneGeometry, Shape, ShapeGeometry,
+  Group, Mesh, MeshBasicMaterial, PlaneGeometry, Shape, ShapeGeometry,
 } from "three";
 import type { Body, Moment, Scene } from "./film";
 import { placeOf } from "./motion";
-import { concrete, plaster, wood } from "./textures";
+import { concrete, matt, plaster, wood, type Matt } from "./textures";
 
 const WALL_TINT: { [colour: string]: string } = { "#8a8f98": "#f4f1e9" };
 /** The stock grey of a wall in plans is plaster in the light. */
@@ -102,11 +102,11 @@ function geometryOf({ geometry }: Body): BufferGeometry {
   return new CylinderGeometry(geometry.radius, geometry.radius, geometry.length, 32).rotateX(Math.PI / 2);
 }
 
-function materialOf(body: Body): MeshLambertMaterial {
+function materialOf(body: Body): Matt {
   const colour = new Color(body.colour);
-  if (body.role === "door") return new MeshLambertMaterial({ color: colour, map: wood() });
-  if (body.role === "wall") return new MeshLambertMaterial({ color: "#c2410c" });
-  return new MeshLambertMaterial({
+  if (body.role === "door") return matt({ color: colour, map: wood() });
+  if (body.role === "wall") return matt({ color: "#c2410c" });
+  return matt({
     color: colour, emissive: colour, emissiveIntensity: 0.25,
   });
 }
@@ -115,7 +115,7 @@ function handle(body: Body): Group {
   const both = new Group();
   const shape = body.geometry;
   if (shape.shape !== "box" || !body.hinge) return both;
-  const metal = new MeshLambertMaterial({ color: "#d8dade" });
+  const metal = matt({ color: "#d8dade" });
   for (const side of [1, -1]) {
     const knob = new Mesh(new BoxGeometry(0.1, 0.02, 0.02), metal);
     knob.position.set(-1.86 * body.hinge.x, side * (shape.y / 2 + 0.02), 0.1);
@@ -133,7 +133,7 @@ function floor(extent: Extent): Mesh {
   const place = geometry.getAttribute("position");
   const uv = geometry.getAttribute("uv");
   for (let i = 0; i < place.count; i += 1) uv.setXY(i, place.getX(i) + x, place.getY(i) + y);
-  const mesh = new Mesh(geometry, new MeshLambertMaterial({ map: concrete() }));
+  const mesh = new Mesh(geometry, matt({ map: concrete() }));
   mesh.position.set(x, y, 0);
   mesh.receiveShadow = true;
   return mesh;
@@ -142,12 +142,11 @@ function floor(extent: Extent): Mesh {
 function tinted(polygon: [number, number][], group: string): Mesh {
   const outline = new Shape();
   polygon.forEach(([x, y], i) => (i ? outline.lineTo(x, y) : outline.moveTo(x, y)));
-  const material = new MeshLambertMaterial({
+  const material = new MeshBasicMaterial({
     color: REGION_TINTS[group] ?? "#8a8a86", transparent: true, opacity: 0.14, depthWrite: false,
   });
   const mesh = new Mesh(new ShapeGeometry(outline), material);
   mesh.position.z = 0.002;
-  mesh.receiveShadow = true;
   return mesh;
 }
 
@@ -160,24 +159,24 @@ function walls(bodies: Body[]): Mesh[] {
     for (const body of boxes.filter((one) => one.colour === colour)) addBox(body, sides, tops);
     const tint = WALL_TINT[colour] ?? colour;
     meshes.push(
-      shaded(sides.geometry(), new MeshLambertMaterial({ color: tint, map: plaster() })),
-      shaded(tops.geometry(), new MeshLambertMaterial({ color: TOP })),
+      shaded(sides.geometry(), matt({ color: tint, map: plaster() })),
+      shaded(tops.geometry(), matt({ color: TOP })),
     );
   }
   for (const body of bodies) {
     if (body.geometry.shape === "box") continue;
     const { radius, length } = body.geometry;
     const tint = WALL_TINT[body.colour] ?? body.colour;
-    const post = shaded(geometryOf(body), new MeshLambertMaterial({ color: tint, map: plaster() }));
+    const post = shaded(geometryOf(body), matt({ color: tint, map: plaster() }));
     post.position.set(body.x, body.y, body.z);
-    const top = shaded(new CircleGeometry(radius, 32), new MeshLambertMaterial({ color: TOP }));
+    const top = shaded(new CircleGeometry(radius, 32), matt({ color: TOP }));
     top.position.set(body.x, body.y, body.z + length / 2 + 0.001);
     meshes.push(post, top);
   }
   return meshes;
 }
 
-function shaded(geometry: BufferGeometry, material: MeshLambertMaterial): Mesh {
+function shaded(geometry: BufferGeometry, material: Matt): Mesh {
   const mesh = new Mesh(geometry, material);
   mesh.castShadow = mesh.receiveShadow = true;
   return mesh;
