@@ -99,6 +99,7 @@ export class Live {
         return;
       }
       if (told.state && told.state.trial !== this.state?.trial) void this.fetchSetting(told.state.trial);
+      if (told.state) this.say({ took: told.state.made });
       this.state = told.state;
       this.lag = told.lag;
     });

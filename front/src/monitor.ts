@@ -61,8 +61,10 @@ class MonitorPage {
     this.element = make("main", { class: "monitor" },
       make("header", {}, make("h1", {}, document.title), this.heading, make("a", { href: "/" }, "All trials")),
       make("div", { class: "seen" }, this.canvas, this.message, this.idle),
-      make("aside", { class: "log", tabindex: "0", "aria-label": "Numbers and events" },
-        numbers, this.bars.element, this.health.element, this.progress.element, this.cameras(), this.log.element));
+      make("section", { class: "story", tabindex: "0", "aria-label": "What happened and what comes next" },
+        this.log.element, this.progress.element),
+      make("aside", { class: "log", tabindex: "0", "aria-label": "Numbers and camera" },
+        numbers, this.bars.element, this.health.element, this.cameras()));
     this.live = new Live((setting) => this.open(setting));
     Object.assign(window, { monitor: this });
   }

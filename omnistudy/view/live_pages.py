@@ -78,19 +78,30 @@ class LivePages:
 
     async def _live(self, socket: WebSocket) -> None:
         await socket.accept()
-        hearing = asyncio.create_task(self._hear(socket))
+        ready = asyncio.Event()
+        ready.set()
+        hearing = asyncio.create_task(self._hear(socket, ready))
         with suppress(WebSocketDisconnect, RuntimeError):
-            await self._tell(socket, hearing)
+            await self._tell(socket, hearing, ready)
         hearing.cancel()
 
-    async def _tell(self, socket: WebSocket, hearing: asyncio.Task[None]) -> None:
-        """Send the latest state whenever there is a newer one; a slow page misses some."""
+    async def _tell(
+        self, socket: WebSocket, hearing: asyncio.Task[None], ready: asyncio.Event
+    ) -> None:
+        """Send the latest state once the page has taken the one before.
+
+        A slow page so misses some; without being asked, it would get old ones out of a queue.
+        """
         source = StateSource(state_file(self._study))
         sent, at = 0, 0.0
         while not hearing.done():
             found = source.latest()
             now = time.monotonic()
             if found and found.number != sent:
+                if not ready.is_set():
+                    await asyncio.sleep(PERIOD_S / 4)
+                    continue
+                ready.clear()
                 sent, at = found.number, now
                 lag = self._answer.lag
                 told = lag.model_dump_json() if lag else "null"
@@ -101,13 +112,15 @@ class LivePages:
             await asyncio.sleep(PERIOD_S)
         source.close()
 
-    async def _hear(self, socket: WebSocket) -> None:
+    async def _hear(self, socket: WebSocket, ready: asyncio.Event) -> None:
         """Take what a page answers until it is gone."""
         with suppress(WebSocketDisconnect):
             while True:
                 said = json.loads(await socket.receive_text())
                 if "stop" in said:
                     self._say(stop=int(said["stop"]))
+                if "took" in said:
+                    ready.set()
                 if "clock" in said:
                     told = {"clock": said["clock"], "at": time.monotonic()}
                     await socket.send_text(json.dumps(told))
