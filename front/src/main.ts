@@ -6,7 +6,7 @@ import { participant } from "./participant";
 import { replay } from "./replay";
 import { NoWebGL } from "./stage";
 import { trials } from "./trials";
-import { say } from "./words";
+import { NO_WEBGL, say } from "./words";
 
 const PAGES: { [page: string]: (content: never) => void } = { replay, trials, saying, participant, monitor };
 
@@ -19,10 +19,5 @@ try {
   PAGES[document.body.dataset.page!]!(content);
 } catch (fault) {
   if (!(fault instanceof NoWebGL)) throw fault;
-  document.body.replaceChildren(say(
-    "This browser draws no WebGL",
-    "The world is drawn with WebGL 2, which this browser has switched off or does not know. Switch on "
-      + "hardware acceleration in its settings, or open this page in a current Firefox, Chromium, Edge "
-      + "or Safari.",
-  ));
+  document.body.replaceChildren(say(NO_WEBGL.title, NO_WEBGL.text));
 }

@@ -6,8 +6,8 @@ import { Health, measured } from "./health";
 import { Live, momentOf, type LiveSetting, type State } from "./live";
 import { named, Progress, remaining } from "./progress";
 import { layer, Scanned } from "./sensed";
-import { Stage, VIEWS, VIEW_NAMES, type View } from "./stage";
-import { clock, make } from "./words";
+import { NoWebGL, Stage, VIEWS, VIEW_NAMES, type View } from "./stage";
+import { clock, make, NO_WEBGL } from "./words";
 
 const CAPACITY = 40_000;
 const IDLE = "No trial is running.";
@@ -74,13 +74,19 @@ class MonitorPage {
   }
 
   private open(setting: LiveSetting): void {
+    this.setting = setting;
+    this.progress.open(setting);
     this.stage?.close();
-    this.stage = new Stage(this.canvas, setting, CAPACITY, false);
+    try {
+      this.stage = new Stage(this.canvas, setting, CAPACITY, false);
+    } catch (fault) {
+      if (!(fault instanceof NoWebGL)) throw fault;
+      this.canvas.replaceWith(make("div", { class: "said" }, make("h2", {}, NO_WEBGL.title), NO_WEBGL.text));
+      return;
+    }
     this.stage.view = this.view;
     this.stage.onRobot(this.scanned.group);
     if (setting.boundary.length) this.stage.onRobot(layer(setting.boundary));
-    this.setting = setting;
-    this.progress.open(setting);
     void this.stage.prepare();
   }
 

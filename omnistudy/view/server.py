@@ -15,7 +15,7 @@ from starlette.responses import HTMLResponse
 from starlette.routing import Route
 
 from omnistudy.errors import OmnistudyError
-from omnistudy.errors.store import NoSuchTrial, StudyBusy
+from omnistudy.errors.store import DatabaseTooOld, NoSuchTrial, StudyBusy
 from omnistudy.errors.view import AddressTaken, NothingToShow
 from omnistudy.store import open_study
 from omnistudy.view.access import LOOPBACK, Access
@@ -25,7 +25,13 @@ from omnistudy.view.live_pages import LivePages
 from omnistudy.view.page import replay_page, saying_page, trials_page
 from omnistudy.view.trials import trial_list
 
-STATUSES: dict[type[OmnistudyError], int] = {NoSuchTrial: 404, NothingToShow: 404, StudyBusy: 503}
+STATUSES: dict[type[OmnistudyError], int] = {
+    NoSuchTrial: 404,
+    NothingToShow: 404,
+    StudyBusy: 503,
+    DatabaseTooOld: 503,
+}
+"""What is not there is 404, what will be there later 503."""
 
 
 def application(

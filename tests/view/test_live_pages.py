@@ -18,7 +18,7 @@ from omnistudy.protocol.compose import compose_protocol
 from omnistudy.store import StudyFile
 from omnistudy.study import create_study
 from omnistudy.view.captions import captions
-from omnistudy.view.chromium import Browser, Tab, browser
+from omnistudy.view.chromium import FLAGS, Browser, Tab, browser
 
 from .conftest import SHORT
 
@@ -31,6 +31,16 @@ new MutationObserver(() => {{
 }}).observe(document.querySelector('.message'), {{childList: true}});
 """
 """Observers are called before the next state can arrive."""
+ONCE_A_SECOND = """
+window.strikes = new Set();
+window.requestAnimationFrame = (draw) => setTimeout(() => {
+  const now = performance.now();
+  window.strikes.add(Math.floor(now / 1000));
+  draw(now);
+}, 1005 - performance.now() % 1000);
+"""
+"""A page that draws once a second exactly, when its own clock strikes; how hard the machine works
+makes no difference to that. (Chromium's CPU throttling slows by a factor, to no certain rate.)"""
 
 
 @contextmanager
@@ -91,13 +101,15 @@ def test_five_pages_a_slow_one_and_a_dead_browser_leave_the_samples_alone(
     requires_program("chromium", "chromium")
     with session(study) as (participant, monitor, process):
         with browser() as running:
-            screen, watch, slow, *_ = [
-                opened(running, address) for address in (participant, *4 * (monitor,))
+            screen, watch, *_ = [
+                opened(running, address) for address in (participant, *3 * (monitor,))
             ]
-            slow.ask("Emulation.setCPUThrottlingRate", rate=50)
+            slow = opened(running, participant, ONCE_A_SECOND)
             watch.wait_for("document.querySelector('.where').textContent.includes('label A')")
             assert complaints(screen, front) == []
             assert complaints(watch, front) == []
+            slow.wait_for("window.participant.frames >= 3")
+            assert slow.value("window.participant.frames <= window.strikes.size")
             assert [*screen.faults, *watch.faults, *slow.faults] == []
         # The browser is gone; the trial is not.
         assert process.wait(timeout=120) == 0
@@ -105,8 +117,10 @@ def test_five_pages_a_slow_one_and_a_dead_browser_leave_the_samples_alone(
         assert live.sample_array(1).tobytes() == lockstep.sample_array(1).tobytes()
 
 
-def opened(running: Browser, address: str) -> Tab:
+def opened(running: Browser, address: str, before: str = "") -> Tab:
+    """Open a page after a script of ours has run in it."""
     tab = running.tab(320, 240)
+    tab.ask("Page.addScriptToEvaluateOnNewDocument", source=before)
     tab.open(address)
     return tab
 
@@ -125,3 +139,57 @@ def test_stop_is_a_key_away_and_ends_the_trial(study: Path, chromium: Browser) -
         first = stored.trials().iloc[0]
     assert (first["status"], first["reason"]) == ("aborted", "stopped by hand")
     assert not study.with_name(f"{study.name}-live").exists()
+
+
+HEALTH = """Object.fromEntries([...document.querySelectorAll('.health tbody tr')].map(
+  (row) => [row.cells[0].textContent, [row.cells[1].textContent, row.cells[2].textContent]]))"""
+NUMBERS = """Object.fromEntries([...document.querySelectorAll('.numbers div')].map(
+  (one) => [one.children[0].textContent, one.children[1].textContent]))"""
+
+
+@pytest.mark.slow
+def test_the_monitor_tells_how_the_trial_and_the_screen_do(study: Path, chromium: Browser) -> None:
+    with session(study) as (participant, monitor, process):
+        screen, watch = opened(chromium, participant), opened(chromium, monitor)
+        watch.wait_for(f"({NUMBERS}).Collisions === '1' && ({HEALTH})['screen lag, p99']")
+        where = watch.value("document.querySelector('.where').textContent")
+        assert where == "Trial 1 · P01 · label A · through · visit 1, main 1 of 6"
+        numbers, health = watch.value(NUMBERS), watch.value(HEALTH)
+        assert set(health) == {
+            *("late steps", "behind the clock", "age of the last state"),
+            *("screen lag, median", "screen lag, p99", "frames shown"),
+        }
+        assert {state for _, state in health.values()} <= {"ok", "look"}
+        assert numbers["Target"] == "finish"
+        left = re.fullmatch(r"(\d+):(\d+\.\d) of (\d+):(\d+\.\d)", numbers["Trial, left"])
+        assert left
+        assert float(left[2]) < float(left[4])
+        happened = "document.querySelector('.events').innerText"
+        assert "collision" in watch.value(happened)
+        assert "start" in watch.value(happened)
+        coming = watch.value("document.querySelector('.coming').innerText").splitlines()
+        assert [line.split(" · ")[0] for line in coming] == [
+            f"{place} of 6 label {label}" for place, label in ((2, "B"), (3, "C"), (4, "D"))
+        ]
+        assert watch.value("window.monitor.scanned.rays.geometry.attributes.position.count") > 2
+        assert process.wait(timeout=120) == 0
+        assert [*screen.faults, *watch.faults] == []
+    with omnistudy.open(study) as stored:
+        told = next(event.detail for event in events(stored) if event.kind == "display")
+    lag = r"lag [\d.]+ ms median, [\d.]+ ms p99, \d+ frames, clock within [\d.]+ ms"
+    assert re.fullmatch(lag, told)
+
+
+@pytest.mark.slow
+def test_without_webgl_the_monitor_still_has_its_numbers(
+    study: Path, requires_program: Callable[[str, str], str]
+) -> None:
+    requires_program("chromium", "chromium")
+    plain = tuple(flag for flag in FLAGS if "angle" not in flag and "swiftshader" not in flag)
+    flags = (*plain, "--disable-gpu", "--disable-3d-apis")
+    with session(study) as (_, monitor, _), browser(flags) as running:
+        watch = opened(running, monitor)
+        watch.wait_for(f"({NUMBERS}).Time !== '–'")
+        told = watch.value("document.querySelector('.seen').innerText")
+        assert told.startswith("This browser draws no WebGL")
+        assert watch.faults == []
