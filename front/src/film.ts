@@ -67,6 +67,7 @@ export interface Setting {
   links: Link[];
   footprint: [number, number];
   sight: Sight | null;
+  start: [x: number, y: number, theta: number];
 }
 
 export interface Film extends Setting {
@@ -95,6 +96,8 @@ export interface Moment {
   value(channel: string): number;
 }
 
+const PLACE = ["x", "y", "theta"];
+
 /** The series of a film, to be asked at any time. */
 export class Record {
   readonly t: Float32Array;
@@ -103,8 +106,9 @@ export class Record {
 
   constructor(film: Film) {
     for (const one of film.series) this.series.set(one.name, decoded(one.data));
-    for (const { joint } of film.links) if (joint?.rate) this.addUp(joint.channel);
     this.t = this.of("t");
+    PLACE.forEach((name, i) => this.series.set(name, filled(this.of(name), film.start[i]!, this.t.length)));
+    for (const { joint } of film.links) if (joint?.rate) this.addUp(joint.channel);
     this.end = this.t[this.t.length - 1] ?? 0;
   }
 
@@ -148,6 +152,12 @@ export class Record {
     }
     if (speed.length) this.series.set(name, sum);
   }
+}
+
+/** What was not recorded, or not at once, rests. */
+function filled(values: Float32Array, rest: number, count: number): Float32Array {
+  if (values.length === 0) return new Float32Array(count).fill(rest);
+  return values.map((value) => (Number.isFinite(value) ? value : rest));
 }
 
 function decoded(base64: string): Float32Array {

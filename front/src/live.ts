@@ -40,9 +40,10 @@ export interface LiveSetting extends Setting {
   boundary: [number, number][];
 }
 
-export function momentOf(state: State): Moment {
-  const value = (name: string): number => state.values[name] ?? 0;
-  return { t: state.t, x: value("x"), y: value("y"), theta: value("theta"), value };
+export function momentOf(state: State, { start: [x, y, theta] }: Setting): Moment {
+  const { t, values } = state;
+  const value = (name: string): number => values[name] ?? 0;
+  return { t, x: values.x ?? x, y: values.y ?? y, theta: values.theta ?? theta, value };
 }
 
 interface Told { state: State | null; lag: Lag | null }

@@ -112,7 +112,7 @@ class MonitorPage {
     this.health.show([...state.health, ...measured(this.live.lag, age)]);
     if (this.drawn === state.made) return;
     this.drawn = state.made;
-    const moment = momentOf(state);
+    const moment = momentOf(state, this.setting!);
     this.stage?.trail.add(moment.x, moment.y);
     this.scanned.show(state.rays);
     this.stage?.draw(moment, state.target);

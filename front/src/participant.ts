@@ -85,7 +85,7 @@ class ParticipantPage {
     this.offerStop(running && this.stopped !== state.trial);
     this.point(running ? state.target : null);
     if (!state || !this.stage || this.setting?.trial !== state.trial || this.drawn === state.made) return;
-    if (!this.stage.draw(momentOf(state), null)) return;
+    if (!this.stage.draw(momentOf(state, this.setting), null)) return;
     this.frames += 1;
     this.drawn = state.made;
     requestAnimationFrame(() => this.live.drew(state));

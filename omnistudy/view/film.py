@@ -39,6 +39,7 @@ class Setting(Model):
     """What a robot is shown in: the world, the way, the robot's looks; lengths in m.
 
     sight : rays of its range sensor; None without one.
+    start : x, y, theta where it stands unless its place is recorded, as that of an arm is not.
     """
 
     scene: Scene
@@ -46,6 +47,7 @@ class Setting(Model):
     links: tuple[Link, ...]
     footprint: tuple[float, float]
     sight: Sight | None
+    start: tuple[float, float, float]
 
 
 class Film(Setting):
@@ -112,6 +114,7 @@ def film(study: StudyFile, trial: int, *, unmask: bool = False) -> Film:
 
 def setting_of(setup: Setup, route: str) -> Setting:
     """Give what the trials of a set-up on a route are shown in."""
+    start = setup.world.start.pose
     routes = (one.legs for one in setup.world.routes if one.name == route)
     return Setting(
         scene=setup.world.scene,
@@ -119,6 +122,7 @@ def setting_of(setup: Setup, route: str) -> Setting:
         links=setup.plant.links,
         footprint=setup.plant.footprint,
         sight=setup.plant.sight,
+        start=(start.x, start.y, start.theta),
     )
 
 

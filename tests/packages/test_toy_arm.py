@@ -11,6 +11,7 @@ import json
 import os
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +19,7 @@ import pytest
 
 import omnistudy
 from omnistudy.channel import SAMPLE_COLUMNS
+from omnistudy.view.chromium import browser
 
 PACKAGE = Path(__file__).parent / "omnistudy_toy_arm"
 LAB = PACKAGE / "lab"
@@ -168,3 +170,35 @@ def test_its_gains_are_swept_by_workers_of_their_own(installed: Path, tmp_path: 
     ranking = json.loads(shown)
     assert [point["values"] for point in ranking["points"]] == [[6], [3]]
     assert ranking["points"][0]["outcomes"]["work_against_j"] is None, "it has no motors"
+
+
+SEEN = """(() => {
+  const {stage, record} = window.replay.player.reels[0];
+  const {frame} = stage.robot.moving[6];
+  frame.updateWorldMatrix(true, false);
+  return frame.localToWorld(frame.position.clone().set(0, 0, 0.13)).toArray();
+})()"""
+"""Where the page draws the end of the last link."""
+
+
+@pytest.mark.slow
+def test_its_arm_moves_in_a_replay_as_it_did(
+    installed: Path,
+    study: Path,
+    tmp_path: Path,
+    requires_program: Callable[[str, str], str],
+) -> None:
+    requires_program("chromium", "chromium")
+    page = tmp_path / "arm.html"
+    python(installed, tmp_path, COMMAND, "replay", str(study), "1", "-o", str(page))
+    with omnistudy.open(study) as opened:
+        arm = opened.stream(1, "plant")
+    with browser() as running:
+        tab = running.tab()
+        tab.open(page.as_uri())
+        tab.wait_for("window.replay !== undefined")
+        for row in (0, len(arm) // 2, len(arm) - 1):
+            tab.value(f"window.replay.seek({arm['t'].iloc[row]})")
+            hand = arm[["hand_x", "hand_y", "hand_z"]].iloc[row]
+            assert tab.value(SEEN) == pytest.approx(list(hand), abs=1e-3)
+        assert tab.faults == []

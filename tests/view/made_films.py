@@ -36,6 +36,7 @@ def made_film(plant: Plant, scene: Scene, values: Mapping[str, Sequence[float]])
         links=plant.links,
         footprint=plant.footprint,
         sight=plant.sight,
+        start=(0.5, 0.0, 0.0),
         series=tuple(_series(name, series) for name, series in values.items()),
         events=(),
         captions=(),

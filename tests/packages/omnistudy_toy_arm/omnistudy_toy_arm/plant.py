@@ -9,10 +9,11 @@ import numpy as np
 from omnistudy.channel import Channel
 from omnistudy.geometry import PlanarPose, Pose
 from omnistudy.plants import Plant, RunningPlant
-from omnistudy.scene import NO_CONTACT, Contacts, Scene
+from omnistudy.scene import NO_CONTACT, Box, Contacts, Cylinder, Joint, Link, Scene
 from omnistudy.units import Metres
-from omnistudy_toy_arm.kinematics import hand_pose
+from omnistudy_toy_arm.kinematics import AXES, LINKS, hand_pose
 
+FOOT_HEIGHT = 0.04
 HOME = (0.0, 0.4, 0.0, 1.2, 0.0, 0.6, 0.0)
 
 
@@ -34,6 +35,30 @@ class ToyArm(Plant):
     @property
     def width(self) -> float:
         return self.foot
+
+    @property
+    def links(self) -> tuple[Link, ...]:
+        """A hub in every joint, which turns, and a tube from there to the next."""
+        foot = Box(x=self.foot, y=self.foot, z=FOOT_HEIGHT)
+        made = [Link(name="foot", geometry=foot, z=0.5 * FOOT_HEIGHT, colour="#3c434d")]
+        parent, height = "foot", -0.5 * FOOT_HEIGHT
+        for number, (axis, length) in enumerate(zip(AXES, LINKS, strict=True), start=1):
+            turns = Joint(
+                channel=f"joint_{number}",
+                axis=(0.0, 0.0, 1.0) if axis == "z" else (0.0, 1.0, 0.0),
+            )
+            hub = Cylinder(radius=0.06, length=0.11)
+            name = f"hub_{number}"
+            made.append(
+                Link(
+                    name=name, parent=parent, geometry=hub, z=height, colour="#edb40e", joint=turns
+                )
+            )
+            if length > 0.0:
+                tube = Cylinder(radius=0.045, length=length)
+                made.append(Link(name=f"tube_{number}", parent=name, geometry=tube, z=0.5 * length))
+            parent, height = name, length
+        return tuple(made)
 
     def build(self, scene: Scene, start: PlanarPose, physics_hz: int, seed: str) -> RunningPlant:
         return _RunningArm(start, physics_hz)
