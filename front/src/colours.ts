@@ -10,3 +10,4 @@ export const TORQUE_RIGHT = colours.torque_right;
 export const CLEARANCE = colours.clearance;
 export const TRAIL = colours.trail;
 export const COLLISION = colours.collision;
+export const BOUNDARY = colours.boundary;

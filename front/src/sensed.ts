@@ -4,11 +4,13 @@ import {
   BufferGeometry, Color, DoubleSide, Float32BufferAttribute, Group, LineBasicMaterial, LineLoop, LineSegments,
   Mesh, MeshBasicMaterial, Points, PointsMaterial, Shape, ShapeGeometry, Vector2,
 } from "three";
+import { BOUNDARY, CLEARANCE, COLLISION, FORCE_X } from "./colours";
 
 type Point = [number, number];
 
-const RAY = "#7fb8e6";
-const RAY_AHEAD = "#1f9d55";
+const RAY = CLEARANCE;
+const RAY_AHEAD = FORCE_X;
+/** Light blue and green, as the thesis has them; colours that also tell series apart. */
 const AHEAD = (33.75 * Math.PI) / 180 + 1e-6;
 /** rad to either side that the thesis draws as the front sector: rays 52 to 76 of 128. */
 const HEIGHT = 0.3;
@@ -18,7 +20,7 @@ export class Scanned {
   readonly group = new Group();
   private readonly rays = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ vertexColors: true }));
   private readonly ends = new Points(
-    new BufferGeometry(), new PointsMaterial({ color: "#b0102a", size: 5, sizeAttenuation: false }),
+    new BufferGeometry(), new PointsMaterial({ color: COLLISION, size: 5, sizeAttenuation: false }),
   );
 
   constructor() {
@@ -45,10 +47,10 @@ export function layer(boundary: Point[]): Group {
   const line = new BufferGeometry();
   line.setAttribute("position", places(boundary));
   const skin = new MeshBasicMaterial({
-    color: "#e8a33d", transparent: true, opacity: 0.22, depthWrite: false, side: DoubleSide,
+    color: BOUNDARY, transparent: true, opacity: 0.3, depthWrite: false, side: DoubleSide,
   });
   const outline = new Shape(boundary.map(([x, y]) => new Vector2(x, y)));
-  group.add(new LineLoop(line, new LineBasicMaterial({ color: "#7a4b00" })), new Mesh(new ShapeGeometry(outline), skin));
+  group.add(new LineLoop(line, new LineBasicMaterial({ color: BOUNDARY })), new Mesh(new ShapeGeometry(outline), skin));
   group.position.z = 0.01;
   return group;
 }

@@ -2,16 +2,26 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import pytest
 from view.axe import complaints
+from view.test_live_pages import session
+from view.test_server import served
 
 import omnistudy
-from omnistudy.view.chromium import Browser
+from omnistudy.view.chromium import Browser, Tab
 from omnistudy.view.film import film
 from omnistudy.view.page import replay_page, saying_page, trials_page, write_page
 from omnistudy.view.trials import trial_list
+
+
+def in_scheme(tab: Tab, scheme: str) -> Tab:
+    """Give the tab as it is for whoever likes it light, or dark."""
+    wish = {"name": "prefers-color-scheme", "value": scheme}
+    tab.ask("Emulation.setEmulatedMedia", features=[wish])
+    return tab
 
 
 @pytest.mark.slow
@@ -30,17 +40,43 @@ def test_axe_finds_nothing_on_the_list_and_on_a_refusal(
 
 @pytest.mark.slow
 @pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("path", ["monitor", "participant", "", "trial/99"])
+def test_axe_finds_nothing_on_pages_that_wait(
+    chromium: Browser, front: Path, driven_study: Path, scheme: str, path: str
+) -> None:
+    with served(driven_study) as address:
+        tab = in_scheme(chromium.tab(), scheme)
+        tab.open(address)
+        tab.open(f"{address.split('?')[0]}{path}")
+        tab.wait_for("document.querySelector('main') !== null")
+        assert complaints(tab, front) == []
+        assert tab.faults == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing_on_the_monitor_of_a_trial(
+    chromium: Browser, front: Path, driven_study: Path, tmp_path: Path, scheme: str
+) -> None:
+    study = tmp_path / "again.db"
+    shutil.copy(driven_study, study)
+    with session(study) as (participant, monitor, _):
+        chromium.tab(320, 240).open(participant)
+        tab = in_scheme(chromium.tab(), scheme)
+        tab.open(monitor)
+        tab.wait_for("document.querySelectorAll('.health tbody tr').length === 6")
+        assert complaints(tab, front) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_axe_finds_nothing_on_the_replay(
     chromium: Browser, front: Path, driven_study: Path, tmp_path: Path, scheme: str
 ) -> None:
     page = tmp_path / "trial.html"
     with omnistudy.open(driven_study) as study:
         write_page(replay_page([film(study, 1), film(study, 2)]), page)
-    tab = chromium.tab()
-    tab.ask(
-        "Emulation.setEmulatedMedia",
-        features=[{"name": "prefers-color-scheme", "value": scheme}],
-    )
+    tab = in_scheme(chromium.tab(), scheme)
     tab.open(f"{page.as_uri()}#t=5")
     tab.wait_for("window.replay !== undefined")
     assert complaints(tab, front) == []
