@@ -9,7 +9,7 @@ SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 SYSTEM_PACKAGES := chromium ffmpeg gcc-avr avr-libc simavr libsimavr-dev libelf-dev
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test quick bench bench-arm reference front lock system-packages
+.PHONY: help demo test quick bench bench-arm bench-view reference front lock system-packages
 
 help:  ## Say what can be made
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):[^#]*## /\1\t/' | expand -t 18
@@ -35,6 +35,9 @@ bench: $(INSTALLED)  ## Measure speed and memory; prints JSON
 
 bench-arm: $(INSTALLED)  ## Measure the arm's controllers: success over random tasks, doors, a step's time
 	@$(BIN)/python benchmarks/arm.py
+
+bench-view: $(INSTALLED)  ## Measure the replay page: how soon it opens, how evenly it plays; prints JSON
+	@$(BIN)/python benchmarks/view.py
 
 reference: $(INSTALLED)  ## Renew docs/reference from the commands' help and the models
 	$(BIN)/python docs/make_reference.py

@@ -67,7 +67,7 @@ export class Stage {
     );
     this.sun.castShadow = true;
     this.renderer.shadowMap.autoUpdate = false;
-    this.sun.shadow.mapSize.set(2048, 2048);
+    this.sun.shadow.mapSize.setScalar(careful ? 2048 : 1024);
     this.sun.shadow.bias = -0.0006;
     this.sun.shadow.normalBias = 0.01;
     new ResizeObserver(() => this.fit()).observe(canvas);

@@ -93,6 +93,7 @@ export function rollers(slant: 1 | -1): Texture {
 function painted(size: number, brush: Brush): Texture {
   const canvas = document.createElement("canvas");
   canvas.width = canvas.height = size;
+  // by the processor: thousands of specks, each a task for the graphics card, hold up the first picture
   const pen = canvas.getContext("2d", { willReadFrequently: true })!;
   brush(pen, size, drawing(20170401));
   const texture = new CanvasTexture(canvas);

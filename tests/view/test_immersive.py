@@ -109,6 +109,8 @@ def test_both_eyes_stand_at_the_robot_and_look_where_it_does(chromium: Browser, 
     tab.value("window.headset.dispatchEvent(new Event('select'))")
     tab.value("window.headset.show(performance.now() + 500)")
     assert tab.value(f"{PLAYER}.t") > before + 0.4, "the trigger plays"
+    tab.value("window.headset.dispatchEvent(new Event('select'))")
+    assert not tab.value(f"{PLAYER}.playing")
     tab.value(f"{BUTTON}.click()")
     assert tab.value(f"{BUTTON}.textContent") == "Enter VR"
     tab.value("window.replay.seek(5)")

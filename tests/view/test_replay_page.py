@@ -20,6 +20,25 @@ from omnistudy.view.film import Film, film
 from omnistudy.view.page import replay_page, write_page
 
 AT = "window.replay.player.t"
+PLAYED = """(() => {
+  const due = [];
+  const real = window.requestAnimationFrame;
+  window.requestAnimationFrame = (draw) => due.push(draw);
+  const {player} = window.replay;
+  player.speed = 8;
+  player.seek(0);
+  player.start();
+  let [now, most, frames] = [performance.now(), 0, 0];
+  for (; due.length; frames += 1) {
+    const before = player.t;
+    now += 500;
+    for (const draw of due.splice(0)) draw(now);
+    most = Math.max(most, before);
+  }
+  window.requestAnimationFrame = real;
+  return [player.t, most, frames];
+})()"""
+"""Plays at 8x and two frames a second: where that ended and was before, and how many frames."""
 
 
 @pytest.fixture(scope="module")
@@ -142,6 +161,8 @@ def test_ten_minutes_are_scrubbed_from_end_to_end(
     for t in (600, 0, 301.5):
         tab.value(f"window.replay.seek({t})")
         assert tab.value(AT) == t
+    assert tab.value(PLAYED) == pytest.approx([600, 596, 150], abs=4)
+    assert not tab.value("window.replay.player.playing")
     assert tab.faults == []
 
 
