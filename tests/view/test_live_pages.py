@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -143,6 +144,7 @@ def test_stop_is_a_key_away_and_ends_the_trial(study: Path, chromium: Browser) -
 
 HEALTH = """Object.fromEntries([...document.querySelectorAll('.health tbody tr')].map(
   (row) => [row.cells[0].textContent, [row.cells[1].textContent, row.cells[2].textContent]]))"""
+CLOCK = "(({now, within}) => [now / 1000, within / 1000])(window.monitor.live.clock)"
 NUMBERS = """Object.fromEntries([...document.querySelectorAll('.numbers div')].map(
   (one) => [one.children[0].textContent, one.children[1].textContent]))"""
 
@@ -154,6 +156,9 @@ def test_the_monitor_tells_how_the_trial_and_the_screen_do(study: Path, chromium
         watch.wait_for(f"({NUMBERS}).Collisions === '1' && ({HEALTH})['screen lag, p99']")
         where = watch.value("document.querySelector('.where').textContent")
         assert where == "Trial 1 · P01 · label A · through · visit 1, main 1 of 6"
+        before = time.monotonic()
+        now, within = watch.value(CLOCK)
+        assert before - within <= now <= time.monotonic() + within, "page and session agree"
         numbers, health = watch.value(NUMBERS), watch.value(HEALTH)
         assert set(health) == {
             *("late steps", "behind the clock", "age of the last state"),

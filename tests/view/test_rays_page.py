@@ -18,6 +18,15 @@ from omnistudy.view.chromium import Browser, Tab
 from .made_films import RECORD, made_film, opened
 
 LOW = Body(name="low", role="target", geometry=Box(x=0.1, y=0.1, z=0.1), x=-0.45, y=0.1, z=0.05)
+GHOST = Body(
+    name="ghost",
+    role="finish",
+    geometry=Box(x=0.1, y=0.1, z=0.8),
+    x=-0.35,
+    y=0.1,
+    z=0.4,
+    solid=False,
+)
 POST = Cylinder(radius=0.08, length=0.8)
 DOOR = Body(
     name="door",
@@ -52,7 +61,7 @@ def ends(tab: Tab, t: float = 0.0) -> NDArray[np.float64]:
 
 def test_they_are_those_of_the_simulated_lidar(chromium: Browser, tmp_path: Path) -> None:
     post = Body(name="post", role="wall", geometry=POST, x=-0.45, y=-0.2, z=0.4)
-    scene = Scene(bodies=(wall(0.2, 0.45, 2.0, 0.0), wall(0.5, -0.35, 1.0, 0.6), post, LOW))
+    scene = Scene(bodies=(wall(0.2, 0.45, 2.0, 0.0), wall(0.5, -0.35, 1.0, 0.6), post, LOW, GHOST))
     plant = Youbot()
     running = plant.build(scene, PlanarPose(0.0, 0.0, 0.3), 240, "seed")
     try:
