@@ -33,7 +33,8 @@ export function trials(list: TrialList): void {
   document.body.append(make("main", { class: "list" },
     make("h1", {}, `Trials of ${list.study}`),
     make("p", {}, list.title, ...(list.virtual ? [" ", make("span", { class: "mark" }, "virtual participants")] : [])),
-    make("p", {}, both, " ", make("a", { href: "/monitor" }, "Monitor"), " of the trial that is driven now"),
+    make("div", { class: "row" }, both,
+      make("p", {}, make("a", { href: "/monitor" }, "Monitor"), " of the trial that is driven now")),
     make("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Trials" },
       make("table", {}, make("thead", {}, head), make("tbody", {}, ...rows)))));
 }
