@@ -7,7 +7,14 @@ from itertools import pairwise
 import pytest
 from stick_bench import Bench, field
 
-from omnistudy.devices.stick.messages import CYCLES_PER_TICK, Fault, Telemetry
+from omnistudy.devices.stick.emulator import HERTZ
+from omnistudy.devices.stick.messages import (
+    CYCLES_PER_TICK,
+    TICK_HZ,
+    Fault,
+    SetConfiguration,
+    Telemetry,
+)
 
 RATED = 9_900
 """Edges a second and axis: just below the velocity trip."""
@@ -39,6 +46,23 @@ def test_a_tick_takes_less_than_half_its_cycles_to_drive_the_motors(bench: Bench
     heard = worst_case(bench)
     assert max(one.worked for one in heard) < CYCLES_PER_TICK / 2
     assert max(one.busy for one in heard) < CYCLES_PER_TICK
+
+
+@pytest.mark.parametrize("shift", [0, 30, 60, 90, 120])
+def test_no_message_is_begun_while_a_tick_waits(bench: Bench, shift: int) -> None:
+    """Settings take 4000 cycles to obey: begun between a tick's moment and its interrupt, which may
+    wait behind the encoders', they would make that tick late by as much."""
+    wanted = SetConfiguration(*bench.line.configuration())
+    bench.board.run(shift / HERTZ)
+    for axis in range(3):
+        bench.board.turn(axis, 30_000, TICK_HZ * 16)  # sixteen edges a tick, always in step with it
+        bench.board.run(60 / HERTZ)
+    late = []
+    for _ in range(600):
+        bench.line.send(wanted)
+        bench.board.run(37 / HERTZ)  # so that settings come at every moment of a tick
+        late += [one.late for one in bench.line.listen(0.003)]
+    assert max(late) < 1000
 
 
 @pytest.mark.parametrize("rate", [1_000, 4_000, RATED])
