@@ -71,6 +71,9 @@ void emulator_brown_out(struct emulator *emulator);
 
 /* Let the program jump for ever to where it is, with interrupts or without; then put it right. */
 void emulator_hang(struct emulator *emulator, bool interrupts);
+
+/* Let it hang at its very start too, until it is put right. */
+void emulator_hang_at_start(struct emulator *emulator);
 void emulator_heal(struct emulator *emulator);
 
 void emulator_eeprom(struct emulator *emulator, uint16_t address, uint8_t *bytes, uint16_t length, bool write);

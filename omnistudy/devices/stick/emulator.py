@@ -86,6 +86,7 @@ def _library() -> ctypes.CDLL:
         "overlaps": (ctypes.c_uint32, (this,)),
         "brown_out": (None, (this,)),
         "hang": (None, (this, ctypes.c_bool)),
+        "hang_at_start": (None, (this,)),
         "heal": (None, (this,)),
         "eeprom": (None, (this, ctypes.c_uint16, ctypes.c_char_p, ctypes.c_uint16, ctypes.c_bool)),
     }
@@ -225,8 +226,12 @@ class EmulatedStick:
         """Let the program jump for ever to where it is, with interrupts or without."""
         self._library.emulator_hang(self._board, interrupts)
 
+    def hang_at_start(self) -> None:
+        """Let the program hang at its very start, too, whenever it is started anew."""
+        self._library.emulator_hang_at_start(self._board)
+
     def heal(self) -> None:
-        """Put the program right again after `hang`."""
+        """Put the program right again after `hang` and `hang_at_start`."""
         self._library.emulator_heal(self._board)
 
     def eeprom(self, address: int, length: int) -> bytes:

@@ -175,6 +175,20 @@ def test_a_program_that_hangs_is_cut_by_the_watchdog(
     assert bench.line.identify().reset_cause == 8
 
 
+def test_the_watchdog_s_interrupt_itself_turns_all_off(bench: Bench) -> None:
+    """It relies on no start: here the program never comes to life again."""
+    bench.bare()
+    push(bench)
+    bench.board.hang(interrupts=True)
+    bench.board.hang_at_start()
+    bench.board.run(0.017 + TICK)
+    assert bench.board.duties == (0,) * 6
+    assert not bench.board.enabled
+    bench.board.heal()
+    bench.line.listen(0.05)
+    assert_off(bench, State.FAULT, Fault.WATCHDOG)
+
+
 def test_a_brown_out_while_forcing_leaves_no_force(bench: Bench) -> None:
     bench.bare()
     push(bench)
