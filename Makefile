@@ -6,7 +6,8 @@ VENV := .venv
 BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
-SYSTEM_PACKAGES := chromium ffmpeg gcc-avr avr-libc simavr libsimavr-dev libelf-dev
+SYSTEM_PACKAGES := chromium ffmpeg gcc-avr avr-libc simavr libsimavr-dev libelf-dev \
+	libsdl2-2.0-0 umockdev gir1.2-umockdev-1.0 python3-gi
 
 .DEFAULT_GOAL := help
 .PHONY: help demo test quick bench bench-arm reference front lock system-packages
