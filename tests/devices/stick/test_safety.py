@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
-from stick_bench import Bench, field
+from stick_bench import Bench, diagonal, field
 
-from omnistudy.devices.stick.messages import Arm, Fault, State
+from omnistudy.devices.stick.frames import encode
+from omnistudy.devices.stick.messages import ARM_KEY, Arm, Fault, State
 from omnistudy.errors.devices import Refused
 
 TICK = 1e-3
@@ -58,6 +60,17 @@ def test_a_stale_field_fades_over_as_long_as_it_was_valid(bench: Bench) -> None:
     assert forces[120] == pytest.approx(50, abs=3)
     assert forces[173:] == [0] * len(forces[173:])
     assert forces == sorted(forces, reverse=True)
+
+
+def test_the_spring_of_a_stale_field_fades_too(bench: Bench) -> None:
+    bench.bare(silence=1000)
+    bench.board.turn(0, 100, 5_000)
+    bench.line.listen(0.1)
+    bench.settle(field(stiffness=diagonal(1.0), valid_for=50))
+    forces = [one.motor[0] for one in bench.line.listen(0.15)]
+    assert forces[0] == -100
+    assert forces[-1] == 0
+    assert np.abs(np.diff(forces)).max() <= 3  # 100 PWM in 50 ticks
 
 
 def test_a_silent_host_leaves_the_stick_soft_within_silence_and_fade(bench: Bench) -> None:
@@ -203,6 +216,31 @@ def test_a_brown_out_while_forcing_leaves_no_force(bench: Bench) -> None:
     assert heard[-1].state == State.IDLE
     assert bench.board.greatest_duty() == 0
     assert bench.line.identify().reset_cause == 4
+
+
+def test_a_stick_beyond_its_travel_is_not_armed(bench: Bench) -> None:
+    bench.board.turn(0, 361, 5_000)
+    bench.line.listen(0.1)
+    with pytest.raises(Refused, match="beyond its travel"):
+        bench.line.arm()
+    bench.board.turn(0, 0, 5_000)
+    bench.line.listen(0.1)
+    bench.line.arm()
+
+
+def test_an_emergency_stop_pressed_while_arm_is_read_forbids_it(bench: Bench) -> None:
+    frame = encode(Arm(ARM_KEY), 1)
+    for shift in range(10):
+        bench.board.write(frame)
+        while bench.board.waiting > 1:
+            bench.board.run(1e-6)
+        bench.board.press_estop(True)
+        for _ in range(60):
+            bench.board.run(20e-6)
+            assert not bench.board.enabled
+        bench.board.press_estop(False)
+        bench.line.listen(0.005 + shift * 1e-4)
+        bench.line.clear_faults()
 
 
 def test_arm_without_its_key_is_refused(bench: Bench) -> None:

@@ -8,10 +8,12 @@ import pytest
 from stick_bench import Bench, field
 
 from omnistudy.devices.stick.emulator import HERTZ
+from omnistudy.devices.stick.frames import encode
 from omnistudy.devices.stick.messages import (
     CYCLES_PER_TICK,
     TICK_HZ,
     Fault,
+    GetConfiguration,
     SetConfiguration,
     Telemetry,
 )
@@ -69,6 +71,15 @@ def test_no_message_is_begun_while_a_tick_waits(bench: Bench, shift: int) -> Non
 def test_the_encoders_are_read_at_an_even_pace(bench: Bench, rate: float) -> None:
     late = [one.late for one in worst_case(bench, rate, 60)]
     assert max(late) - min(late) < 320  # 20 us
+
+
+def test_no_telemetry_is_lost_however_much_a_host_asks(bench: Bench) -> None:
+    """Six bytes ask for a configuration of sixty-six: more than the line can carry."""
+    bench.board.write(b"".join(encode(GetConfiguration(), index) for index in range(200)))
+    heard = bench.line.listen(0.05)
+    assert bench.board.waiting == 0
+    assert all(later.tick - earlier.tick == 1 for earlier, later in pairwise(heard))
+    assert len(heard) >= 48
 
 
 def test_a_field_changes_the_pwm_within_four_milliseconds_of_its_sending(bench: Bench) -> None:
