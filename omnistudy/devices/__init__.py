@@ -1,5 +1,23 @@
 """Joysticks and what they render."""
 
-from omnistudy.devices.device import Device, DeviceState, Hand, Identity, RunningDevice
+from omnistudy.devices.device import (
+    NO_HAND,
+    Device,
+    DeviceState,
+    Hand,
+    Health,
+    Identity,
+    RunningDevice,
+    Wrench,
+)
 
-__all__ = ["Device", "DeviceState", "Hand", "Identity", "RunningDevice"]
+__all__ = [
+    "NO_HAND",
+    "Device",
+    "DeviceState",
+    "Hand",
+    "Health",
+    "Identity",
+    "RunningDevice",
+    "Wrench",
+]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from pathlib import Path
-from typing import ClassVar, NamedTuple, Self
+from typing import ClassVar, Literal, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,6 +39,10 @@ class Hand(NamedTuple):
     mass: tuple[float, ...]
 
 
+NO_HAND = Hand((), (), (), ())
+"""Nobody whom we could move: a real hand holds the device, or none. It fits every device."""
+
+
 class Identity(NamedTuple):
     """Which piece of hardware it is, as far as it tells; "" where it does not.
 
@@ -49,6 +53,25 @@ class Identity(NamedTuple):
     serial: str = ""
     firmware: str = ""
     calibration: str = ""
+
+
+class Health(NamedTuple):
+    """How well a device was heard since it was connected; counts, none of which ever falls.
+
+    ticks : of the device that were heard. missed : known to be lost on the way.
+    damaged : frames that could not be read.
+    saturated : ticks at which an axis pushed with all it has, one number an axis.
+    """
+
+    ticks: int = 0
+    missed: int = 0
+    damaged: int = 0
+    saturated: tuple[int, ...] = ()
+
+
+Wrench = Literal["none", "commanded", "clipped", "measured"]
+"""What a device's recorded force is: none, what was asked of its motors, that after all limits, or
+what a sensor felt."""
 
 
 class Device(KindModel, ABC):
@@ -94,6 +117,9 @@ class RunningDevice(ABC):
     forces: tuple[bool, ...] = ()
     """Whether it can push along each axis; data of an axis that cannot say so."""
 
+    wrench: Wrench = "none"
+    """What the force among its `channels` is."""
+
     @abstractmethod
     def render(self, field: ForceField) -> None:
         """Take a new force field; it holds until the next or until it is stale."""
@@ -108,6 +134,10 @@ class RunningDevice(ABC):
     def rows(self) -> Sequence[tuple[float, ...]]:
         """Give what it told during the last `advance`, oldest first: position, rate, values."""
         return ()
+
+    def health(self) -> Health:
+        """Tell how well it was heard so far."""
+        return Health()
 
     def identity(self) -> Identity:
         """Tell which piece of hardware this is."""

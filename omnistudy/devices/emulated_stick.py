@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import ClassVar, Literal
 
 from omnistudy.devices.device import Device, RunningDevice
 from omnistudy.devices.simulated_stick import SimulatedStick
+from omnistudy.devices.stick.ceiling import NO_CEILING, Ceiling
+from omnistudy.devices.stick.passivity import AddedDamping
 
 
 class EmulatedStickDevice(Device):
@@ -14,10 +16,16 @@ class EmulatedStickDevice(Device):
     Needs avr-gcc and libsimavr-dev; about five times faster than real time.
     """
 
+    apart: ClassVar[bool] = True
+
     kind: Literal["emulated_stick"] = "emulated_stick"
     stick: SimulatedStick = SimulatedStick()
     """Mechanism, centring and limits as the simulated stick has them; but the firmware ticks at
     1 kHz and drives one pin of a pair at a time, whatever the stick's own settings for that say."""
+    ceiling: Ceiling = NO_CEILING
+    """Greatest force of anything together, centring too; the firmware's own limit."""
+    added_damping: AddedDamping | None = None
+    """Against energy that the stick gives out; none unless given, the energy is recorded anyway."""
 
     def connect(self, physics_hz: int) -> RunningDevice:
         """Give the stick at rest in its centre; the board is powered up when it is first used."""
