@@ -86,6 +86,16 @@ def test_a_silent_host_leaves_the_stick_soft_within_silence_and_fade(bench: Benc
     assert_off(bench, State.IDLE, Fault.SILENT)
 
 
+def test_fields_that_are_refused_are_no_sign_of_life(bench: Bench) -> None:
+    bench.arm(silence=50, fade=100)
+    sent = bench.line.send(PUSH)
+    for _ in range(20):
+        bench.board.write(encode(PUSH, sent))  # repeated
+        bench.board.write(encode(PUSH._replace(valid_for=251), sent + 1))  # illegal
+        bench.line.listen(0.01)
+    assert_off(bench, State.IDLE, Fault.SILENT)
+
+
 def test_a_host_that_speaks_again_in_time_gets_its_force_back(bench: Bench) -> None:
     bench.arm(silence=50, fade=100)
     bench.board.turn(0, 200, 5_000)
@@ -170,6 +180,19 @@ def test_a_noisy_encoder_line_is_cut(bench: Bench) -> None:
         bench.board.jump(0)
         bench.board.run(TICK)
     assert_off(bench, State.FAULT, Fault.ENCODER)
+
+
+def test_few_illegal_steps_a_second_are_no_fault(bench: Bench) -> None:
+    bench.bare(glitch_limit=5)
+    for _ in range(3):
+        for _ in range(4):
+            bench.board.jump(0)
+            bench.board.run(TICK)
+        for _ in range(10):
+            bench.line.send(PUSH)
+            heard = bench.line.listen(0.12)
+    assert heard[-1].glitches == 12
+    assert heard[-1].state == State.FORCE
 
 
 @pytest.mark.parametrize(("interrupts", "within"), [(True, 0.017), (False, 0.033)])
