@@ -10,14 +10,17 @@ from omnistudy.devices.device import (
     RunningDevice,
     Wrench,
 )
+from omnistudy.devices.record import DeviceRecord, record_of
 
 __all__ = [
     "NO_HAND",
     "Device",
+    "DeviceRecord",
     "DeviceState",
     "Hand",
     "Health",
     "Identity",
     "RunningDevice",
     "Wrench",
+    "record_of",
 ]

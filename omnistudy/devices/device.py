@@ -89,7 +89,10 @@ class Device(KindModel, ABC):
 
     @abstractmethod
     def connect(self, physics_hz: int) -> RunningDevice:
-        """Give the device at rest in its centre; it is advanced `physics_hz` times a second."""
+        """Give the device at rest in its centre; it is advanced `physics_hz` times a second.
+
+        No hardware is touched before it is first advanced, so that anything can be described.
+        """
 
     def own_force(
         self, position: NDArray[np.float64], rate: NDArray[np.float64]

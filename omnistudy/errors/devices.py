@@ -159,3 +159,13 @@ class OnlyLive(OmnistudyError):
             f"{what} '{kind}' lives in real time, which nobody can stop or hasten: "
             "run the trials with `omnistudy session run STUDY --live`, or choose a simulated one"
         )
+
+
+class NobodyHolds(OmnistudyError):
+    """A real person and a device that exists in the computer alone."""
+
+    def __init__(self, operator: str, device: str) -> None:
+        super().__init__(
+            f"operator '{operator}' is a person, and no person can hold the simulated device "
+            f"'{device}': choose a real device, or let operator 'virtual_driver' hold it"
+        )

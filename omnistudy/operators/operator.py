@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 from omnistudy.devices import Hand
 from omnistudy.registry import KindModel
@@ -25,6 +25,9 @@ class Person(NamedTuple):
 
 class Operator(KindModel, ABC):
     """Parameters of an operator; `begin` makes the one who drives a trial."""
+
+    in_lockstep: ClassVar[bool] = True
+    """False: a real person, who drives live trials with real devices only."""
 
     @abstractmethod
     def begin(self, person: Person, physics_hz: int) -> RunningOperator:
