@@ -24,7 +24,7 @@ class EmulatedStickInMotion(StickOnLine):
     """A board of its own for each connection."""
 
     def __init__(self, device: EmulatedStickDevice, physics_hz: int) -> None:
-        super().__init__(device.stick, device.ceiling, device.added_damping)
+        super().__init__(device.kind, device.stick, device.ceiling, device.added_damping)
         self._dt = 1.0 / physics_hz
         self._hand: Hand | None = None
         self._now: float | None = None
@@ -42,9 +42,6 @@ class EmulatedStickInMotion(StickOnLine):
 
     def _settings(self, line: StickLine) -> Configuration:
         return configuration(self._stick)._replace(soft_start=SOFT_START)
-
-    def _identity(self) -> str:
-        return "emulated_stick"
 
     def advance(self, hand: Hand) -> DeviceState:
         """Let the board run for one step; give what its telemetry says at the end.

@@ -71,6 +71,17 @@ class StickLine:
         self._telemetry.clear()
         return heard
 
+    def drain(self) -> list[Telemetry]:
+        """Take what has come without waiting; give the telemetry since the last listening."""
+        self._take(self.transport.read(0.0))
+        return self.listen(0.0)
+
+    def met(self) -> list[Identity]:
+        """Give what the stick has said of who it is since the last asking; forget other replies."""
+        identities = [reply for reply in self._replies if isinstance(reply, Identity)]
+        self._replies.clear()
+        return identities
+
     def _take(self, chunk: bytes) -> None:
         for message, _ in self.deframer.feed(chunk):
             if isinstance(message, Telemetry):

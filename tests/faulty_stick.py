@@ -1,0 +1,155 @@
+"""The emulated stick with faults to inject, in lockstep or in the process of a live trial."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from pathlib import Path
+from typing import Any, Literal
+
+from omnistudy.devices import DeviceState, Hand, RunningDevice
+from omnistudy.devices.emulated_stick import EmulatedStickDevice
+from omnistudy.devices.emulated_stick_in_motion import EmulatedStickInMotion
+from omnistudy.devices.stick.emulator import EmulatedStick
+from omnistudy.devices.stick.line import StickLine
+from omnistudy.devices.stick.transport import Transport
+
+FAULTS = (
+    "unplug",
+    "frozen_encoder",
+    "lost_counts",
+    "dead_motor",
+    "inverted_motor",
+    "inverted_encoder",
+    "slow_telemetry",
+    "brown_out",
+    "other_stick",
+    "estop",
+    "dead_man",
+)
+"""Every fault is of x, where it is of an axis."""
+
+
+class FaultyLine:
+    """Carries bytes between the host and a board that may be cut off or exchanged."""
+
+    def __init__(self, board: EmulatedStick) -> None:
+        self.board = board
+        self.cut = False
+        self.kept_of_ten = 10
+        self._ahead = 0.0
+        self._begun = b""
+        self._frames = 0
+
+    def exchange(self, board: EmulatedStick) -> None:
+        """Put another board in, at the same moment."""
+        self._ahead = self.now() - board.now()
+        self.board = board
+
+    def write(self, data: bytes) -> None:
+        if not self.cut:
+            self.board.write(data)
+
+    def read(self, seconds: float) -> bytes:
+        told = self.board.read(seconds)
+        if self.cut:
+            return b""
+        return told if self.kept_of_ten == 10 else self._thinned(told)
+
+    def _thinned(self, told: bytes) -> bytes:
+        *whole, self._begun = (self._begun + told).split(b"\0")
+        kept = b""
+        for frame in whole:
+            self._frames += 1
+            if self._frames % 10 < self.kept_of_ten:
+                kept += frame + b"\0"
+        return kept
+
+    def now(self) -> float:
+        return self.board.now() + self._ahead
+
+    def close(self) -> None:
+        self.board.close()
+
+
+class FaultyStickInMotion(EmulatedStickInMotion):
+    """Takes a fault by its name, from `inject` or from a file."""
+
+    control: Path | None = None
+
+    @cached_property
+    def line(self) -> FaultyLine:
+        return FaultyLine(self.board)
+
+    def _open(self) -> Transport:
+        return self.line
+
+    def advance(self, hand: Hand) -> DeviceState:
+        if self.control is not None and self.control.exists():
+            self.inject(self.control.read_text())
+            self.control.unlink()
+        state = super().advance(hand)
+        if self.control is not None and self.trouble():
+            duties = self.line.board.duties
+            self.control.with_suffix(".duties").write_text(" ".join(map(str, duties)))
+        return state
+
+    def inject(self, fault: str) -> None:
+        """Let a fault happen now."""
+        board = self.board
+        match fault:
+            case "unplug":
+                self.line.cut = True
+            case "frozen_encoder":
+                board.set(0, "encoder", 0.0)
+            case "lost_counts":
+                board.jump(0)
+            case "dead_motor":
+                board.set(0, "motor", 0.0)
+            case "inverted_motor":
+                board.set(0, "motor", -1.0)
+            case "inverted_encoder":
+                board.set(0, "encoder", -1.0)
+            case "slow_telemetry":
+                self.line.kept_of_ten = 6
+            case "brown_out":
+                board.brown_out()
+            case "other_stick":
+                self.line.exchange(other_stick())
+            case "estop":
+                board.press_estop(True)
+            case "dead_man":
+                board.hold_dead_man(False)
+            case _:
+                raise ValueError(fault)
+
+
+def other_stick() -> EmulatedStick:
+    """A board with a serial number of its own, armed and longer awake than any in these tests."""
+    board = EmulatedStick()
+    board.press_estop(False)
+    board.hold_dead_man(True)
+    line = StickLine(board)
+    line.listen(0.05)
+    line.configure(line.configuration()._replace(serial=7, soft_start=10, silence=1000))
+    line.arm()
+    line.listen(0.05)
+    return board
+
+
+class FaultyStick(EmulatedStickDevice):
+    """The emulated stick; a fault whose name is put into the file `control` happens at once."""
+
+    kind: Literal["faulty_stick"] = "faulty_stick"  # type: ignore[assignment]
+    control: Path | None = None
+
+    def connect(self, physics_hz: int) -> RunningDevice:
+        running = FaultyStickInMotion(self, physics_hz)
+        running.control = self.control
+        return running
+
+
+def connected(physics_hz: int = 1000, **settings: Any) -> FaultyStickInMotion:
+    """A stick to inject faults into, in lockstep."""
+    running = FaultyStick(**settings).connect(physics_hz)
+    assert isinstance(running, FaultyStickInMotion)
+    return running
