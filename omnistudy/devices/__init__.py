@@ -10,7 +10,7 @@ from omnistudy.devices.device import (
     RunningDevice,
     Wrench,
 )
-from omnistudy.devices.record import DeviceRecord, record_of
+from omnistudy.devices.record import DeviceRecord, Scale, record_of
 
 __all__ = [
     "NO_HAND",
@@ -21,6 +21,7 @@ __all__ = [
     "Health",
     "Identity",
     "RunningDevice",
+    "Scale",
     "Wrench",
     "record_of",
 ]

@@ -6,6 +6,9 @@ from typing import Literal, NamedTuple
 
 from omnistudy.devices.device import Identity, RunningDevice, Wrench
 
+Scale = Literal["nominal", "calibrated"]
+"""Whether newtons come from data sheets, or from a calibration of this very device."""
+
 
 class DeviceRecord(NamedTuple):
     """What is stored about the device of an attempt.
@@ -20,8 +23,8 @@ class DeviceRecord(NamedTuple):
     wrench: Wrench
 
     @property
-    def scale(self) -> Literal["nominal", "calibrated"]:
-        """Whether newtons come from data sheets, or from a calibration of this very device."""
+    def scale(self) -> Scale:
+        """What its newtons are worth."""
         return "calibrated" if self.identity.calibration else "nominal"
 
 

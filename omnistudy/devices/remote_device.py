@@ -10,7 +10,7 @@ from shutil import rmtree
 from tempfile import mkdtemp
 from typing import Self
 
-from omnistudy.channel import LatestValue, Measure, Ring, with_rates
+from omnistudy.channel import SATURATED, LatestValue, Measure, Ring, measured, with_rates
 from omnistudy.devices.cadence import Cadence
 from omnistudy.devices.device import (
     Device,
@@ -169,28 +169,25 @@ class RemoteDevice(RunningDevice):
         """Tell how well a trial was served: turns, frames, fields, saturation an axis."""
         health, before = self.health(), self._before
         ticks = health.ticks - before.ticks
-        measures = [
-            Measure("device_ticks", ticks, "1"),
-            Measure("dropped_frames", health.missed - before.missed, "1"),
-            Measure("damaged_frames", health.damaged - before.damaged, "1"),
-            Measure("late_fields", self.late_fields, "1"),
-        ]
-        measures += [
-            Measure(f"saturated_{axis.name}", (now - then) / max(1, ticks), "1")
-            for axis, now, then in zip(
-                self.axes, health.saturated, before.saturated or (0,) * len(self.axes), strict=True
-            )
-        ]
+        told: dict[str, float] = {
+            "device_ticks": ticks,
+            "dropped_frames": health.missed - before.missed,
+            "damaged_frames": health.damaged - before.damaged,
+            "late_fields": self.late_fields,
+        }
+        pushed_before = before.saturated or (0,) * len(self.axes)
+        for axis, now, then in zip(self.axes, health.saturated, pushed_before, strict=True):
+            told[SATURATED + axis.name] = (now - then) / max(1, ticks)
         lateness = self._cadence.lateness(trial, 1.0 / self.tick_hz)
         if lateness is not None:
-            measures += [
-                Measure("device_turns", lateness.turns, "1"),
-                Measure("late_turns", lateness.late, "1"),
-                Measure("turn_lateness_p50", lateness.median, "s"),
-                Measure("turn_lateness_p99", lateness.p99, "s"),
-                Measure("turn_lateness_max", lateness.greatest, "s"),
-            ]
-        return tuple(measures)
+            told |= {
+                "device_turns": lateness.turns,
+                "late_turns": lateness.late,
+                "turn_lateness_p50": lateness.median,
+                "turn_lateness_p99": lateness.p99,
+                "turn_lateness_max": lateness.greatest,
+            }
+        return tuple(measured(name, value) for name, value in told.items())
 
     def close(self) -> None:
         """End the process, which lets its device go."""
