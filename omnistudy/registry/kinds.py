@@ -43,6 +43,7 @@ BUILT_IN: Mapping[str, Mapping[str, str]] = {
         "direct": "omnistudy.devices.direct:DirectDevice",
         "emulated_stick": "omnistudy.devices.emulated_stick:EmulatedStickDevice",
         "sdl_stick": "omnistudy.devices.handheld.sdl_stick:SdlStick",
+        "force_stick": "omnistudy.devices.handheld.force_stick:ForceStick",
         "space_mouse": "omnistudy.devices.handheld.space_mouse:SpaceMouse",
         "keyboard": "omnistudy.devices.handheld.keyboard:Keyboard",
         "serial_stick": "omnistudy.devices.serial_stick:SerialStickDevice",
