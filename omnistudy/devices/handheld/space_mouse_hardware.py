@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+from importlib import import_module
 from typing import Any
 
 from omnistudy.devices.device import Identity
@@ -82,12 +84,12 @@ class SpaceMouseHardware(Hardware):
 
 
 def _hidapi() -> Any:
+    """Give hidapi; on Linux the one that asks the kernel, which leaves its drivers in place."""
     try:
-        import hid
+        return import_module("hidraw" if sys.platform == "linux" else "hid")
     except ImportError as cause:
         remedy = "pip install 'omnistudy[devices]'"
         raise NoDriver("space_mouse", "the Python package hidapi", remedy) from cause
-    return hid
 
 
 def _is_space_mouse(one: dict[str, Any]) -> bool:
