@@ -16,6 +16,7 @@ struct axis {
     double weight, lever;           /* N and m: the handle topples with weight sin(position/lever) */
     double per_count, per_duty;     /* m a count, N a PWM step */
     double travel;                  /* m, to the stop */
+    double dead_band;               /* PWM steps that no force comes of */
     double hand_stiffness, hand_damping, hand_mass, hand_reference;
     double motor;                   /* 1 sound, 0 dead, -1 turned round */
     double encoder;                 /* 1 sound, 0 frozen, -1 turned round */

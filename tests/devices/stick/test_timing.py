@@ -82,6 +82,16 @@ def test_no_telemetry_is_lost_however_much_a_host_asks(bench: Bench) -> None:
     assert len(heard) >= 48
 
 
+def test_an_answer_finds_room_behind_two_configurations(bench: Bench) -> None:
+    """The line carries three spare bytes in a tick: what it still holds must not cost an answer."""
+    for _ in range(2):
+        bench.line.configuration()
+    bench.line.arm()
+    for _ in range(10):
+        bench.line.configuration()  # asked again where it finds no room
+        bench.line.disarm()
+
+
 def test_a_field_changes_the_pwm_within_four_milliseconds_of_its_sending(bench: Bench) -> None:
     bench.bare()
     bench.settle(field())
