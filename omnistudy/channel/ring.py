@@ -44,7 +44,7 @@ class Ring:
             path.touch(mode=0o600)
             with path.open("r+b") as file:
                 file.truncate(ROWS_AT + 8 * width * capacity)
-        self._path = path
+        self.path = path
         with path.open("r+b") as file:
             self._memory = mmap.mmap(file.fileno(), 0)
         if width is not None:
@@ -91,7 +91,7 @@ class Ring:
     def remove(self) -> None:
         """Let go and take the file away."""
         self.close()
-        self._path.unlink(missing_ok=True)
+        self.path.unlink(missing_ok=True)
 
     def _pieces(self, first: int, end: int) -> tuple[bytes, ...]:
         """Give the bytes of the rows first .. end-1, which may run over the end of the file."""

@@ -13,6 +13,7 @@ from shutil import rmtree
 from typing import NamedTuple
 
 from omnistudy.channel import Channel, LatestValue, Ring
+from omnistudy.channel.trial_row import TRIAL_ROW
 from omnistudy.devices.cadence import Cadence
 from omnistudy.devices.device import NO_HAND, Device, DeviceState, Identity, RunningDevice, Wrench
 from omnistudy.devices.orders import Order, OrderLayout, Report, ReportLayout
@@ -28,12 +29,8 @@ ORPHANED_S = 1.0
 """s that an orphaned device still turns: fields become stale and fade, then it ends (ours)."""
 BETWEEN_TRIALS_S = 0.02
 """Between trials no field comes; a field of no force this often keeps the device awake (ours)."""
-ROW_HEAD = (
-    Channel("trial", "1", "number of the trial"),
-    Channel("row", "1", "rows of this trial before this one"),
-    Channel("heard_at", "s", "when it was heard, by the computer's clock, since the first step"),
-)
-"""What stands in the ring before each row of the device."""
+HEARD_AT = Channel("heard_at", "s", "by the computer's clock, since the trial was opened")
+"""What stands in the ring before each row of the device, after TRIAL_ROW."""
 
 
 class Introduction(NamedTuple):
@@ -110,7 +107,7 @@ def _introduced(
         telling.send(str(mistake))
         return None
     axes = len(running.axes)
-    width = len(ROW_HEAD) + 2 * axes + len(running.channels)
+    width = len(TRIAL_ROW) + 1 + 2 * axes + len(running.channels)
     Ring(files.rows, width, RING_S * device.tick_hz).close()
     LatestValue(files.reports, ReportLayout(axes, len(running.channels)).size).close()
     LatestValue(files.orders, OrderLayout(axes).size).close()

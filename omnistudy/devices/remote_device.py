@@ -20,7 +20,7 @@ from omnistudy.devices.device import (
     Identity,
     RunningDevice,
 )
-from omnistudy.devices.device_process import ROW_HEAD, Files, Introduction, turn_device
+from omnistudy.devices.device_process import HEARD_AT, Files, Introduction, turn_device
 from omnistudy.devices.orders import Order, OrderLayout, Report, ReportLayout
 from omnistudy.errors.devices import DeviceProcessFailed, DeviceSilent, NotReached
 from omnistudy.geometry import NO_FORCE, ForceField
@@ -77,7 +77,7 @@ class RemoteDevice(RunningDevice):
         told = self.introduction
         self.axes, self.channels = told.axes, told.channels
         self.forces, self.wrench = told.forces, told.wrench
-        self.row_channels = (*ROW_HEAD, *with_rates(told.axes), *told.channels)
+        self.row_channels = (HEARD_AT, *with_rates(told.axes), *told.channels)
         self._order_layout = OrderLayout(len(told.axes))
         self._report_layout = ReportLayout(len(told.axes), len(told.channels))
         self._orders = LatestValue(self.files.orders)

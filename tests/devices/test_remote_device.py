@@ -17,6 +17,7 @@ import numpy as np
 import pytest
 
 from omnistudy.channel import LatestValue, Ring
+from omnistudy.channel.trial_row import TRIAL_ROW
 from omnistudy.devices import Hand
 from omnistudy.devices.device_process import Files
 from omnistudy.devices.emulated_stick import EmulatedStickDevice
@@ -58,7 +59,7 @@ def drive(stick: RemoteDevice, trial: int, turns: int) -> None:
 
 
 def column(stick: RemoteDevice, name: str) -> int:
-    return [channel.name for channel in stick.row_channels].index(name)
+    return [channel.name for channel in (*TRIAL_ROW, *stick.row_channels)].index(name)
 
 
 def test_the_hand_and_the_field_reach_the_stick(stick: RemoteDevice) -> None:
