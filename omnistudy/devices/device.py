@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import ClassVar, Literal, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from omnistudy.channel import Channel
+from omnistudy.channel import Channel, Measure
 from omnistudy.geometry import ForceField
 from omnistudy.registry import KindModel
 
@@ -86,6 +86,18 @@ class Device(KindModel, ABC):
     def at(self, study: Path) -> Self:
         """Give the device as it is reached while a study runs; most are reached everywhere."""
         return self
+
+    def before_force(
+        self, tell: Callable[[str], None], expected: Identity | None = None
+    ) -> tuple[Measure, ...]:
+        """Have somebody at the device check what must be sound before it pushes; give the findings.
+
+        Done before a session and after each trouble, while the device is not connected. A device
+        that needs no such checks finds nothing.
+        tell : shows a sentence to whoever is there. expected : which device it was before.
+        Raises what forbids force.
+        """
+        return ()
 
     @abstractmethod
     def connect(self, physics_hz: int) -> RunningDevice:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import ClassVar, Literal
 
-from omnistudy.devices.device import Device, RunningDevice
+from omnistudy.channel import Measure
+from omnistudy.devices.device import Device, Identity, RunningDevice
 from omnistudy.devices.simulated_stick import SimulatedStick
 from omnistudy.devices.stick.ceiling import NO_CEILING, Ceiling
 from omnistudy.devices.stick.passivity import AddedDamping
@@ -26,6 +28,24 @@ class EmulatedStickDevice(Device):
     """Greatest force of anything together, centring too; the firmware's own limit."""
     added_damping: AddedDamping | None = None
     """Against energy that the stick gives out; none unless given, the energy is recorded anyway."""
+
+    def before_force(
+        self, tell: Callable[[str], None], expected: Identity | None = None
+    ) -> tuple[Measure, ...]:
+        """Check a board of its own, with an attendant who does what is told; raises ChecksFailed."""
+        from omnistudy.devices.stick.attendant import Attendant
+        from omnistudy.devices.stick.before_force import checked
+        from omnistudy.devices.stick.emulator import EmulatedStick, mechanisms
+
+        board = EmulatedStick(mechanisms(self.stick))
+        board.release()
+        attendant = Attendant(board)
+
+        def told(sentence: str) -> None:
+            tell(sentence)
+            attendant(sentence)
+
+        return checked(board, self.stick, told, expected)
 
     def connect(self, physics_hz: int) -> RunningDevice:
         """Give the stick at rest in its centre; the board is powered up when it is first used."""

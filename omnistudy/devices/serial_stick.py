@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import ClassVar, Literal
 
-from omnistudy.devices.device import Device, RunningDevice
+from omnistudy.channel import Measure
+from omnistudy.devices.device import Device, Identity, RunningDevice
 from omnistudy.devices.simulated_stick import SimulatedStick
 from omnistudy.devices.stick.ceiling import NO_CEILING, Ceiling
 from omnistudy.devices.stick.passivity import AddedDamping
@@ -25,6 +27,15 @@ class SerialStickDevice(Device):
     """Greatest force of anything together, centring too; the firmware's own limit."""
     added_damping: AddedDamping | None = None
     """Against energy that the stick gives out; none unless given, the energy is recorded anyway."""
+
+    def before_force(
+        self, tell: Callable[[str], None], expected: Identity | None = None
+    ) -> tuple[Measure, ...]:
+        """Lead through the checks at the port; raises ChecksFailed, NoPort and what the line does."""
+        from omnistudy.devices.stick.before_force import checked
+        from omnistudy.devices.stick.serial_port import SerialPort, only_port
+
+        return checked(SerialPort(self.port or only_port()), self.stick, tell, expected)
 
     def connect(self, physics_hz: int) -> RunningDevice:
         """Give the stick; its port is opened and it is armed when it is first used."""

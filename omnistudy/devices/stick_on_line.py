@@ -111,9 +111,8 @@ class StickOnLine(RunningDevice):
         line.arm()
         line.listen(SETTLING)
         self._damaged = line.deframer.damaged
-        stick = self._stick
-        stops = (round(stick.x.travel), round(stick.y.travel), round(stick.theta.travel))
-        self._watch = Watch(Expected(self._who, stops, limits), line.transport.now())
+        expected = Expected(self._who, self._stick.stops, limits)
+        self._watch = Watch(expected, line.transport.now())
         return line
 
     def _reach(self) -> StickLine | None:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 from stick_bench import Bench
-from stick_buttons import Attendant
 
+
+from omnistudy.devices.stick.attendant import Attendant
 from omnistudy.devices.stick.checks import (
     HOLD_SWITCH,
     LEAVE_SWITCH,
@@ -149,7 +150,7 @@ def test_another_stick_gets_no_force(bench: Bench) -> None:
 
 def test_a_stick_that_is_held_does_not_pass(bench: Bench) -> None:
     class Clinging(Attendant):
-        def _let_go(self) -> None:
+        def let_go(self) -> None:
             for axis in range(3):
                 self.board.hold(axis, 8000.0, 300.0, 0.5)
 
@@ -160,7 +161,7 @@ def test_a_stick_that_is_held_does_not_pass(bench: Bench) -> None:
 
 def test_an_emergency_stop_in_the_middle_ends_the_checks(bench: Bench) -> None:
     class Frightened(Attendant):
-        def _let_go(self) -> None:
+        def let_go(self) -> None:
             self.board.press_estop(True)
 
     bench.board.release()

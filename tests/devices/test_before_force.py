@@ -1,0 +1,33 @@
+"""A session asks a device for its checks before force, and stores what they find."""
+
+from __future__ import annotations
+
+import pytest
+
+from omnistudy.devices import Identity
+from omnistudy.devices.direct import DirectDevice
+from omnistudy.devices.emulated_stick import EmulatedStickDevice
+from omnistudy.devices.stick.checks import LET_GO, PRESS_STOP
+from omnistudy.errors.stick_checks import ChecksFailed
+
+
+@pytest.mark.usefixtures("toolchain")
+def test_the_emulated_stick_is_led_through_its_checks() -> None:
+    told: list[str] = []
+    device = EmulatedStickDevice()
+    measures = {one.name: one for one in device.before_force(told.append)}
+    assert PRESS_STOP in told
+    assert LET_GO in told
+    assert measures["check_sign_of_theta"].value == 1.0
+    assert measures["zero_shift_y"] == ("zero_shift_y", 0.0, "count")
+
+
+@pytest.mark.usefixtures("toolchain")
+def test_another_stick_than_before_is_refused() -> None:
+    before = Identity("emulated_stick", serial="3", firmware="0000abcd")
+    with pytest.raises(ChecksFailed, match="instead of 3, 0000abcd"):
+        EmulatedStickDevice().before_force(lambda sentence: None, before)
+
+
+def test_a_device_without_force_has_nothing_to_check() -> None:
+    assert DirectDevice().before_force(pytest.fail) == ()
