@@ -32,7 +32,7 @@ class EmulatedStickDevice(Device):
     def before_force(
         self, tell: Callable[[str], None], expected: Identity | None = None
     ) -> tuple[Measure, ...]:
-        """Check a board of its own, with an attendant who does what is told; raises ChecksFailed."""
+        """Check a board of its own that an attendant is at; raises ChecksFailed."""
         from omnistudy.devices.stick.attendant import Attendant
         from omnistudy.devices.stick.before_force import checked
         from omnistudy.devices.stick.emulator import EmulatedStick, mechanisms

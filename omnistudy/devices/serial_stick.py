@@ -31,7 +31,7 @@ class SerialStickDevice(Device):
     def before_force(
         self, tell: Callable[[str], None], expected: Identity | None = None
     ) -> tuple[Measure, ...]:
-        """Lead through the checks at the port; raises ChecksFailed, NoPort and what the line does."""
+        """Lead through the checks at the port; raises ChecksFailed and what port and line raise."""
         from omnistudy.devices.stick.before_force import checked
         from omnistudy.devices.stick.serial_port import SerialPort, only_port
 

@@ -35,6 +35,6 @@ class SerialStickInMotion(StickOnLine):
         try:
             heard = line.drain()
         except PortLost as cause:
-            self._trouble = str(cause)
+            self._ail(cause)
             heard = []
         return self._hear(line, heard)

@@ -24,6 +24,7 @@ from omnistudy.devices.stick.passivity import AddedDamping, PassivityObserver
 from omnistudy.devices.stick.tally import Tally
 from omnistudy.devices.stick.transport import Transport
 from omnistudy.devices.stick.watch import Expected, Watch
+from omnistudy.errors import OmnistudyError
 from omnistudy.errors.devices import NoAnswer, PortLost, Refused
 from omnistudy.geometry import ForceField
 
@@ -116,8 +117,8 @@ class StickOnLine(RunningDevice):
         return line
 
     def _reach(self) -> StickLine | None:
-        """Give the line, or None with the trouble told when the stick refuses to be armed."""
-        if self._trouble:
+        """Give the line, or None with the trouble told when the stick cannot be armed."""
+        if self._trouble and "_line" not in self.__dict__:
             return None
         try:
             return self._line
@@ -153,7 +154,7 @@ class StickOnLine(RunningDevice):
     def render(self, field: ForceField) -> None:
         """Send a field, under the ceiling and with added damping; nothing goes out in trouble."""
         line = self._reach()
-        if line is None:
+        if line is None or self._trouble:
             return
         if self._added_damping:
             field = self._damped(field, self._added_damping, line.transport.now())
@@ -163,7 +164,7 @@ class StickOnLine(RunningDevice):
             if self._fields % FIELDS_AN_ASKING == 0:
                 line.send(Hello())
         except PortLost as cause:
-            self._trouble = str(cause)
+            self._ail(cause)
 
     def close(self) -> None:
         """Disarm and end the line; a stick that is out of reach goes soft by its own silence."""
@@ -176,10 +177,12 @@ class StickOnLine(RunningDevice):
     def _disarm(self, line: StickLine) -> None:
         try:
             line.send(Disarm())
-            # Its own time must pass for a frame to reach an emulated board.
-            line.listen(0.0)
         except PortLost as cause:
-            self._trouble = self._trouble or str(cause)
+            self._ail(cause)
+
+    def _ail(self, cause: OmnistudyError) -> None:
+        """Tell what happened, unless there was trouble before."""
+        self._trouble = self._trouble or str(cause)
 
     def _hear(self, line: StickLine, heard: list[Telemetry]) -> DeviceState:
         """Take what came within this step; give where the stick is now."""
