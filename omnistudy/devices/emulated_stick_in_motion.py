@@ -24,7 +24,9 @@ class EmulatedStickInMotion(StickOnLine):
     """A board of its own for each connection."""
 
     def __init__(self, device: EmulatedStickDevice, physics_hz: int) -> None:
-        super().__init__(device.kind, device.stick, device.ceiling, device.added_damping)
+        super().__init__(
+            device.kind, device.stick, device.ceiling, device.added_damping, device.calibration
+        )
         self._dt = 1.0 / physics_hz
         self._hand: Hand | None = None
         self._now: float | None = None

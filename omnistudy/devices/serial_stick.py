@@ -9,6 +9,7 @@ from omnistudy.channel import Measure
 from omnistudy.devices.device import Device, Identity, RunningDevice
 from omnistudy.devices.simulated_stick import SimulatedStick
 from omnistudy.devices.stick.ceiling import NO_CEILING, Ceiling
+from omnistudy.devices.stick.force_calibration import ForceCalibration
 from omnistudy.devices.stick.passivity import AddedDamping
 
 
@@ -27,6 +28,8 @@ class SerialStickDevice(Device):
     """Greatest force of anything together, centring too; the firmware's own limit."""
     added_damping: AddedDamping | None = None
     """Against energy that the stick gives out; none unless given, the energy is recorded anyway."""
+    calibration: ForceCalibration | None = None
+    """What its forces were found to be with `device calibrate --force`; nominal unless given."""
 
     def before_force(
         self, tell: Callable[[str], None], expected: Identity | None = None

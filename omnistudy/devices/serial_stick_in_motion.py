@@ -17,7 +17,9 @@ class SerialStickInMotion(StickOnLine):
     """Opens and arms at its first use, which takes up to four seconds; then it never waits."""
 
     def __init__(self, device: SerialStickDevice) -> None:
-        super().__init__(device.kind, device.stick, device.ceiling, device.added_damping)
+        super().__init__(
+            device.kind, device.stick, device.ceiling, device.added_damping, device.calibration
+        )
         self._port = device.port
 
     def _open(self) -> Transport:

@@ -11,6 +11,7 @@ from omnistudy.devices.device import DeviceState, Health, Identity, RunningDevic
 from omnistudy.devices.simulated_stick import SimulatedStick
 from omnistudy.devices.stick.ceiling import Ceiling
 from omnistudy.devices.stick.conversion import handle_scale
+from omnistudy.devices.stick.force_calibration import ForceCalibration
 from omnistudy.devices.stick.line import StickLine
 from omnistudy.devices.stick.messages import (
     CYCLES_PER_TICK,
@@ -26,6 +27,7 @@ from omnistudy.devices.stick.transport import Transport
 from omnistudy.devices.stick.watch import Expected, Watch
 from omnistudy.errors import OmnistudyError
 from omnistudy.errors.devices import NoAnswer, PortLost, Refused
+from omnistudy.errors.force_calibration import CalibrationOfAnother
 from omnistudy.geometry import ForceField
 
 SETTLING = 0.05
@@ -42,9 +44,9 @@ class StickOnLine(RunningDevice):
     forces = (True, True, True)
     wrench = "clipped"
     channels = (
-        Channel("motor_x", "N", "commanded motor force after clipping, with centring, nominal"),
-        Channel("motor_y", "N", "commanded motor force after clipping, with centring, nominal"),
-        Channel("motor_theta", "N·m", "commanded torque after clipping, with centring, nominal"),
+        Channel("motor_x", "N", "commanded motor force after clipping, with centring"),
+        Channel("motor_y", "N", "commanded motor force after clipping, with centring"),
+        Channel("motor_theta", "N·m", "commanded torque after clipping, with centring"),
         Channel("stick_worked", "1", "share of a tick until the motors were driven"),
         Channel("stick_missed", "1", "ticks that the firmware missed so far"),
         Channel("stick_tick", "ms", "the stick's own time"),
@@ -62,10 +64,12 @@ class StickOnLine(RunningDevice):
         stick: SimulatedStick,
         ceiling: Ceiling,
         added_damping: AddedDamping | None,
+        calibration: ForceCalibration | None,
     ) -> None:
         self._model = model
         self._stick = stick
-        self._scale = handle_scale(stick)
+        self._scale = handle_scale(stick, calibration)
+        self._calibration = calibration
         self._ceiling = ceiling
         self._added_damping = added_damping
         x, y, theta = self._scale.per_count
@@ -99,7 +103,10 @@ class StickOnLine(RunningDevice):
 
     @cached_property
     def _line(self) -> StickLine:
-        """The line to a stick that is armed; raises NoAnswer, WrongProtocol, Refused."""
+        """The line to a stick that is armed.
+
+        Raises NoAnswer, WrongProtocol, Refused, CalibrationOfAnother.
+        """
         line = StickLine(self._open())
         line.listen(SETTLING)
         settings = self._settings(line)
@@ -109,6 +116,8 @@ class StickOnLine(RunningDevice):
         line.disarm()
         line.configure(settings._replace(force_limit=limits))
         self._who = line.identify()
+        if self._calibration:
+            self._calibration.check_serial(str(self._who.serial))
         line.arm()
         line.listen(SETTLING)
         self._damaged = line.deframer.damaged
@@ -122,7 +131,7 @@ class StickOnLine(RunningDevice):
             return None
         try:
             return self._line
-        except (Refused, NoAnswer) as cause:
+        except (Refused, NoAnswer, CalibrationOfAnother) as cause:
             self._trouble = str(cause)
             return None
 
@@ -149,7 +158,9 @@ class StickOnLine(RunningDevice):
         self._reach()
         if "_line" not in self.__dict__:
             return Identity(self._model)
-        return Identity(self._model, str(self._who.serial), f"{self._who.firmware:08x}")
+        calibration = self._calibration.name if self._calibration else ""
+        serial, firmware = str(self._who.serial), f"{self._who.firmware:08x}"
+        return Identity(self._model, serial, firmware, calibration)
 
     def render(self, field: ForceField) -> None:
         """Send a field, under the ceiling and with added damping; nothing goes out in trouble."""

@@ -9,6 +9,8 @@ from functools import partial
 import pytest
 from stick_bench import Bench
 
+from omnistudy.devices.emulated_stick import EmulatedStickDevice
+from omnistudy.devices.record import record_of
 from omnistudy.devices.simulated_stick import SimulatedStick
 from omnistudy.devices.stick import force_steps
 from omnistudy.devices.stick.conversion import handle_scale
@@ -18,6 +20,7 @@ from omnistudy.devices.stick.force_fit import Reading, fit
 from omnistudy.devices.stick.force_steps import AXES, Instrument, Plan, measure
 from omnistudy.errors.devices import Refused
 from omnistudy.errors.force_calibration import ForceWithdrawn, HandleMoved, NothingRead
+from omnistudy.geometry import ForceField, PlanarWrench
 from omnistudy.seeds import generator
 
 PLAN = Plan(greatest=160, levels=2)
@@ -137,15 +140,51 @@ def test_a_motor_is_not_kept_hot_for_a_reading_that_does_not_come(
     assert not clamped.board.enabled
 
 
-def test_the_page_is_what_a_stick_is_calibrated_by() -> None:
+def page(serial: str = "") -> ForceCalibration:
+    """Give a page of noiseless readings of a stick that is as FOUND."""
     duties = (0, 50, -50, 100, -100, 200, -200)
-    axes = {
-        name: fit(name, [Reading(0, duty, duty * per_duty) for duty in duties])
+    x, y, theta = (
+        fit(name, [Reading(0, duty, duty * per_duty) for duty in duties])
         for name, per_duty in zip(AXES, FOUND, strict=True)
-    }
-    page = ForceCalibration(date=date(2026, 11, 22), instrument="scale", serial="7", **axes)
+    )
+    return ForceCalibration(
+        date=date(2026, 11, 22), instrument="scale", serial=serial, x=x, y=y, theta=theta
+    )
+
+
+def test_a_calibration_says_when_it_was_made_and_what_it_is() -> None:
+    assert page().name.startswith("2026-11-22 ")
+    assert page().name != page().model_copy(update={"instrument": "load cell"}).name
+    assert ForceCalibration.model_validate_json(page().model_dump_json()) == page()
+
+
+def test_a_calibrated_stick_converts_by_what_was_found() -> None:
     assert handle_scale(SimulatedStick()).per_duty == NOMINAL
-    scale = handle_scale(SimulatedStick(), page)
-    assert scale.per_duty == pytest.approx(FOUND)
-    assert page.name.startswith("2026-11-22 ")
-    assert page.name != page.model_copy(update={"instrument": "load cell"}).name
+    assert handle_scale(SimulatedStick(), page()).per_duty == pytest.approx(FOUND)
+
+
+def test_what_the_dead_band_takes_is_not_said_to_be_felt(clamped: Bench) -> None:
+    scale = handle_scale(SimulatedStick())._replace(per_duty=FOUND, dead_band=DEAD_BAND)
+    clamped.arm()
+    told = clamped.line.listen(0.01)[-1]._replace(motor=(112, -8, -20))
+    assert scale.force(told) == pytest.approx((100 * FOUND[0], -8 * FOUND[1], 0.0))
+
+
+@pytest.mark.usefixtures("toolchain")
+def test_a_device_says_which_calibration_its_forces_are_of() -> None:
+    nominal = EmulatedStickDevice().connect(240)
+    assert record_of("emulated_stick", nominal).scale == "nominal"
+    nominal.close()
+    calibrated = EmulatedStickDevice(calibration=page(serial="0")).connect(240)
+    record = record_of("emulated_stick", calibrated)
+    assert record.scale == "calibrated"
+    assert record.identity.calibration == page(serial="0").name
+    calibrated.close()
+
+
+@pytest.mark.usefixtures("toolchain")
+def test_another_stick_s_calibration_gives_no_force() -> None:
+    running = EmulatedStickDevice(calibration=page(serial="4711")).connect(240)
+    running.render(ForceField(PlanarWrench(1.0, 0.0, 0.0)))
+    assert "made with the stick of serial number 4711, but this one's is 0" in running.trouble()
+    running.close()
