@@ -24,3 +24,13 @@ class ForceGone(OmnistudyError):
             f"the stick took its force away (state {state}; {faults}): hold the dead-man's switch, "
             "keep the handle free, and check again"
         )
+
+
+class NobodyHeld(OmnistudyError):
+    """A dead-man's switch that nobody held."""
+
+    def __init__(self, seconds: float) -> None:
+        super().__init__(
+            f"nobody held the dead-man's switch within {seconds:g} s: begin again when somebody "
+            "holds the handle"
+        )

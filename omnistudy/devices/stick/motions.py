@@ -77,7 +77,7 @@ def low_force(line: StickLine, settings: Configuration) -> Iterator[None]:
         )
     )  # fmt: skip
     line.arm()
-    _render(line, _field(), 2 * SOFT_START / 1000)
+    _render(line, device_field(), 2 * SOFT_START / 1000)
     try:
         yield
     finally:
@@ -92,8 +92,8 @@ def limited(settings: Configuration) -> Three:
 
 def moved_by_a_push(line: StickLine, axis: int) -> int:
     """Push an axis until it has moved a little; give by how many counts."""
-    start = _render(line, _field(), RENEWAL)[-1].position[axis]
-    field = _field(wrench=_along(axis, PUSH))
+    start = _render(line, device_field(), RENEWAL)[-1].position[axis]
+    field = device_field(wrench=along(axis, PUSH))
     moved = 0
     for _ in range(round(PUSH_WITHIN / RENEWAL)):
         moved = _render(line, field, RENEWAL)[-1].position[axis] - start
@@ -105,7 +105,7 @@ def moved_by_a_push(line: StickLine, axis: int) -> int:
 def stops_of(line: StickLine, axis: int) -> Stops:
     """Move an axis to both of its stops."""
     low, high = (
-        _until_still(line, _field(wrench=_along(axis, way * PUSH), damping=SLOWLY))[axis]
+        _until_still(line, device_field(wrench=along(axis, way * PUSH), damping=SLOWLY))[axis]
         for way in (-1, 1)
     )
     return Stops(low, high)
@@ -116,18 +116,18 @@ def go_to(line: StickLine, counts: Three) -> Three:
 
     The spring's end moves, not the stick alone: a far one would be faster than the velocity trip.
     """
-    at = _render(line, _field(damping=SLOWLY), RENEWAL)[-1].position
+    at = _render(line, device_field(damping=SLOWLY), RENEWAL)[-1].position
     steps = max(abs(a - b) for a, b in zip(at, counts, strict=True)) // STEP + 1
     for step in range(1, steps + 1):
         x, y, theta = (a + (b - a) * step // steps for a, b in zip(at, counts, strict=True))
         there: Three = (x, y, theta)
-        _render(line, _field(about=there, stiffness=SPRING, damping=SLOWLY), RENEWAL)
-    return _until_still(line, _field(about=counts, stiffness=SPRING, damping=SLOWLY))
+        _render(line, device_field(about=there, stiffness=SPRING, damping=SLOWLY), RENEWAL)
+    return _until_still(line, device_field(about=counts, stiffness=SPRING, damping=SLOWLY))
 
 
 def wait_until_still(line: StickLine) -> Three:
     """Let the stick's own forces work; give where it then stands, counts."""
-    return _until_still(line, _field())
+    return _until_still(line, device_field())
 
 
 def _until_still(line: StickLine, field: Field) -> Three:
@@ -156,20 +156,24 @@ def _render(line: StickLine, field: Field, seconds: float) -> list[Telemetry]:
     return heard
 
 
-def _along(axis: int, push: int) -> Three:
-    x, y, theta = (push if axis == one else 0 for one in range(3))
+def along(axis: int, push: float) -> tuple[float, float, float]:
+    """Give a push along one axis."""
+    x, y, theta = (push if axis == one else 0.0 for one in range(3))
     return (x, y, theta)
 
 
-def _field(
-    wrench: Three = NONE, about: Three = NONE, stiffness: float = 0.0, damping: float = 0.0
+def device_field(
+    wrench: tuple[float, float, float] = NONE,
+    about: Three = NONE,
+    stiffness: float = 0.0,
+    damping: float = 0.0,
 ) -> Field:
     """Give a field in wire steps from PWM, counts, PWM/count and PWM·ms/count."""
     steps = SCALES[Field]
 
-    def times(values: Three, scale: int) -> Three:
-        x, y, theta = values
-        return (x * scale, y * scale, theta * scale)
+    def times(values: tuple[float, float, float], scale: int) -> Three:
+        x, y, theta = (round(value * scale) for value in values)
+        return (x, y, theta)
 
     def diagonal(value: float, scale: int) -> Nine:
         one = round(value * scale)
