@@ -62,3 +62,52 @@ class NoKeys(OmnistudyError):
             "device 'keyboard' reads the keys of the participant's page, which only a live session "
             "has: `omnistudy session run STUDY PARTICIPANT --live`"
         )
+
+
+class NothingToCalibrate(OmnistudyError):
+    """A device whose axes have no ranges to be found."""
+
+    def __init__(self, device: str) -> None:
+        super().__init__(
+            f"device '{device}' has no axes whose ranges could be found: calibrate a gamepad, a "
+            "stick or a space mouse, or the force of a serial stick with --force"
+        )
+
+
+class Unplugged(OmnistudyError):
+    """A device that went away while it was calibrated."""
+
+    def __init__(self, trouble: str) -> None:
+        super().__init__(f"{trouble}: plug it in and begin again")
+
+
+class DidNotMove(OmnistudyError):
+    """An axis that stayed where it was while its device was held at an end."""
+
+    def __init__(self, name: str, way: str, instead: str) -> None:
+        hint = (
+            f"'{instead}' moved: name it in the device's page"
+            if instead and instead != name
+            else ("hold it there until the next step is asked for")
+        )
+        super().__init__(f"axis '{name}' did not move while it was to be held {way}; {hint}")
+
+
+class Unsteady(OmnistudyError):
+    """An axis that strays at rest."""
+
+    def __init__(self, name: str, share: float) -> None:
+        super().__init__(
+            f"axis '{name}' strayed by {share:.0%} of its way while nobody was to touch it: let go "
+            "of it, and put it on a table that does not shake"
+        )
+
+
+class NoSuchDevice(OmnistudyError):
+    """A device that is neither on a serial line nor bought, where one of these is needed."""
+
+    def __init__(self, device: str, verb: str) -> None:
+        super().__init__(
+            f"device '{device}' is no hardware, there is nothing to {verb}: "
+            "`omnistudy device list` names what is plugged in"
+        )
