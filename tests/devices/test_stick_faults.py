@@ -10,11 +10,15 @@ from collections.abc import Iterator
 from math import pi, sin
 
 import pytest
+from core_world import trial
 from faulty_stick import FaultyStickInMotion, connected
 
 from omnistudy.devices import Hand
+from omnistudy.devices.emulated_stick import EmulatedStickDevice
 from omnistudy.devices.stick.ceiling import Ceiling
 from omnistudy.geometry import ForceField, PlanarWrench
+from omnistudy.laws.component import ComponentLaw
+from omnistudy.trial import run_trial
 
 pytestmark = pytest.mark.usefixtures("toolchain")
 
@@ -206,3 +210,12 @@ def test_the_ceiling_is_the_firmware_s_limit_too() -> None:
     assert not stick.trouble()
     # 255 steps are 13.5 N, 13.5 N and 4.4 N·m.
     assert stick.line.board.duties[1::2] == (37, 94, 57)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", list("abcdefghij"))
+def test_a_sound_stick_in_a_virtual_hand_is_never_in_trouble(seed: str) -> None:
+    spec = trial(seed=seed, law=ComponentLaw(), device=EmulatedStickDevice())
+    result = run_trial(spec)
+    assert result.reason == ""
+    assert result.status in ("completed", "timed_out")
