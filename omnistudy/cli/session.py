@@ -126,7 +126,7 @@ def run(
         return
     print_line(
         f"{summary.completed} trials completed, {summary.timed_out} timed out, "
-        f"{summary.aborted} aborted; {summary.remaining} still planned"
+        f"{summary.void} void, {summary.aborted} aborted; {summary.remaining} still planned"
     )
 
 
@@ -156,10 +156,15 @@ def run_with_pages(
 
     from omnistudy.protocol.compose import compose_protocol
     from omnistudy.session import run_trials
+    from omnistudy.session.held_devices import HeldDevices
     from omnistudy.session.live import run_live
     from omnistudy.view.attendance import attended
 
-    with attended(path) as attendance, progress(f"running {path.stem}", waiting) as advance:
+    with (
+        attended(path) as attendance,
+        HeldDevices(path) as devices,
+        progress(f"running {path.stem}", waiting) as advance,
+    ):
         for page in ("participant", "monitor"):
             address = attendance.address.replace("/?", f"/{page}?")
             print(f"{page}: {address}", file=sys.stderr, flush=True)
@@ -170,7 +175,7 @@ def run_with_pages(
             participants=participants,
             limit=limit,
             protocol=compose_protocol(protocol) if protocol else None,
-            run=lambda ready, specs: run_live(ready, specs, attendance.accompany),
+            run=lambda ready, specs: run_live(ready, specs, attendance.accompany, devices),
             finished=lambda trial, result: advance(),
         )
 

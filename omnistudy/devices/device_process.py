@@ -29,7 +29,7 @@ ORPHANED_S = 1.0
 """s that an orphaned device still turns: fields become stale and fade, then it ends (ours)."""
 BETWEEN_TRIALS_S = 0.02
 """Between trials no field comes; a field of no force this often keeps the device awake (ours)."""
-HEARD_AT = Channel("heard_at", "s", "by the computer's clock, since the trial was opened")
+HEARD_AT = Channel("heard_at", "s", "by the computer's clock, since the first step")
 """What stands in the ring before each row of the device, after TRIAL_ROW."""
 
 

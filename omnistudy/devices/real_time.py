@@ -6,11 +6,14 @@ import ctypes
 import gc
 import os
 import sys
-from contextlib import suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from typing import NamedTuple
 
 PRIORITY = 50
 """Of SCHED_FIFO, 1 .. 99: below the kernel's own threads of that kind (ours)."""
+SIMULATION_PRIORITY = 10
+"""Below the device's: a simulation that stands still for 0.3 s lets the stick go soft (ours)."""
 ALL_NOW_AND_LATER = 1 | 2
 """MCL_CURRENT | MCL_FUTURE of mlockall(2)."""
 
@@ -46,7 +49,21 @@ def go_real_time() -> RealTimeMeans:
     gc.collect()
     gc.freeze()
     gc.disable()
-    return RealTimeMeans(_schedule(), _lock_memory())
+    return RealTimeMeans(_schedule(PRIORITY), _lock_memory())
+
+
+@contextmanager
+def before_others() -> Iterator[None]:
+    """Run this thread before every ordinary process meanwhile, where the system allows it."""
+    if sys.platform != "linux":
+        yield
+        return
+    before, setting = os.sched_getscheduler(0), os.sched_getparam(0)
+    _schedule(SIMULATION_PRIORITY)
+    try:
+        yield
+    finally:
+        os.sched_setscheduler(0, before, setting)
 
 
 def real_time_means() -> RealTimeMeans:
@@ -56,18 +73,19 @@ def real_time_means() -> RealTimeMeans:
     import resource
 
     before, setting = os.sched_getscheduler(0), os.sched_getparam(0)
-    scheduled = _schedule()
+    scheduled = _schedule(PRIORITY)
     if scheduled:
         os.sched_setscheduler(0, before, setting)
     allowed, _ = resource.getrlimit(resource.RLIMIT_MEMLOCK)
     return RealTimeMeans(scheduled, allowed == resource.RLIM_INFINITY or os.geteuid() == 0)
 
 
-def _schedule() -> bool:
+def _schedule(priority: int) -> bool:
     if sys.platform != "linux":
         return False
     with suppress(PermissionError):
-        os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(PRIORITY))
+        policy = os.SCHED_FIFO | os.SCHED_RESET_ON_FORK  # not for processes that this one starts
+        os.sched_setscheduler(0, policy, os.sched_param(priority))
         return True
     return False
 

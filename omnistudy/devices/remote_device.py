@@ -112,8 +112,7 @@ class RemoteDevice(RunningDevice):
 
     def open_trial(self, number: int) -> None:
         """Say that the first step of a trial comes next; its rows are told from now on."""
-        self._trial, self._opened = number, time.monotonic()
-        self._before = self.report.health
+        self._trial, self._opened = number, 0.0
         self.late_fields, self._rendered_at = 0, 0.0
 
     def close_trial(self) -> int:
@@ -139,6 +138,9 @@ class RemoteDevice(RunningDevice):
 
     def advance(self, hand: Hand) -> DeviceState:
         """Order on, and give the newest state that was told."""
+        if self._trial and not self._opened:
+            self._opened = time.monotonic()
+            self._before = self.report.health
         order = Order(self._trial, self._opened, self._fields, self._field, hand)
         self._orders.write(self._order_layout.pack(order))
         return self.report.state

@@ -43,6 +43,7 @@ def live_setting(study: StudyFile, trial: int) -> LiveSetting:
         raise NoSuchTrial(study.path, trial)
     row = mine.iloc[0]
     own = table[(table["participant"] == row["participant"]) & (table["visit"] == row["visit"])]
+    own = own[own["status"] != "void"]
     after = own[own["position"] > row["position"]]["condition"]
     masked = {condition.name: condition.masked_label for condition in protocol.conditions}
     setup = protocol.setup_for(row["condition"])
