@@ -44,12 +44,19 @@ class EffectShape(NamedTuple):
     valid_ms: int
 
 
-def shape_of(effects: ForceEffects) -> EffectShape:
-    """Give the numbers of effects; X rises to the right and Y to the user, as drivers have it."""
+def shape_of(effects: ForceEffects, turned: bool = False) -> EffectShape:
+    """Give the numbers of effects; X rises to the right and Y to the user, as drivers have it.
+
+    turned : for a driver that takes a push's direction the other way round.
+    """
     x, y = effects.x, effects.y
+    away = -1.0 if turned else 1.0
     size = min(1.0, hypot(x.push, y.push))
     return EffectShape(
-        Push(round(FULL_LEVEL * size), degrees(atan2(-x.push, y.push)) % 360.0 if size else 0.0),
+        Push(
+            round(FULL_LEVEL * size),
+            degrees(atan2(-away * x.push, away * y.push)) % 360.0 if size else 0.0,
+        ),
         (_spring(x), _spring(y)),
         (Condition(round(FULL_LEVEL * x.damper)), Condition(round(FULL_LEVEL * y.damper))),
         max(1, min(LONGEST_MS // 2, round(1000.0 * effects.seconds))),

@@ -61,7 +61,7 @@ def open_force_stick(stick: ForceStick) -> EvdevHardware:
     except OSError as cause:
         remedy = "add your user to the group 'input', then log in again"
         raise CannotOpen(DEVICE, chosen.told(), str(cause.strerror), remedy) from cause
-    return EvdevHardware(library, device, chosen)
+    return EvdevHardware(library, device, chosen, stick.strength.turned)
 
 
 class EvdevHardware(Hardware):
@@ -69,7 +69,9 @@ class EvdevHardware(Hardware):
 
     pushed = ("ABS_X", "ABS_Y")
 
-    def __init__(self, library: Any, device: evdev.InputDevice[str], attached: Attached) -> None:
+    def __init__(
+        self, library: Any, device: evdev.InputDevice[str], attached: Attached, turned: bool
+    ) -> None:
         self._library = library
         self._device = device
         self._attached = attached
@@ -78,7 +80,7 @@ class EvdevHardware(Hardware):
         self.axes = tuple(self._found_axes())
         self._now = [0.0] * len(self.axes)
         self._ask_for_all()
-        self.motors = EvdevMotors(library, device)
+        self.motors = EvdevMotors(library, device, turned)
 
     def _found_axes(self) -> Iterator[HardwareAxis]:
         """Name axes, then buttons, and note the place of each."""

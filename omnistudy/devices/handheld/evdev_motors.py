@@ -25,7 +25,8 @@ FULL_GAIN = 0xFFFF
 class EvdevMotors(Motors):
     """Each effect has one slot of the device for good; what did not change is only played anew."""
 
-    def __init__(self, library: Any, device: evdev.InputDevice[str]) -> None:
+    def __init__(self, library: Any, device: evdev.InputDevice[str], turned: bool) -> None:
+        self._turned = turned
         self._device = device
         self._codes = codes = library.ecodes
         self._ff = library.ff
@@ -41,7 +42,8 @@ class EvdevMotors(Motors):
 
     def apply(self, effects: ForceEffects) -> None:
         """Upload what changed and play all anew, so that each lasts its whole length."""
-        shape, codes, length = shape_of(effects), self._codes, shape_of(effects).valid_ms
+        shape, codes = shape_of(effects, self._turned), self._codes
+        length = shape.valid_ms
         with suppress(OSError):  # unplugged: reading tells
             self._play(codes.FF_CONSTANT, self._push(shape.push, length), (shape.push, length))
             if self.springs:

@@ -26,6 +26,8 @@ class Strength(Model):
     """Handle speed at which a full damper gives the full force; nominal (ours)."""
     gain: Annotated[Ratio, Field(ge=0, le=1)] = 1.0
     """Part of the law's field that is rendered."""
+    turned: bool = False
+    """For a driver that takes a push's direction the other way round; springs know no direction."""
     measured: str = ""
     """When and with what `force` was measured; the data call the force nominal without."""
 

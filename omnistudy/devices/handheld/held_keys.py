@@ -58,10 +58,10 @@ class HeldKeys(Hardware):
         """Move each lever by the time that has passed."""
         before, self._now = self._now, self._clock()
         passed = self._now - before
-        held = {name.casefold() for name in self._held()}
+        held = self._held()
         for index, (name, *_) in enumerate(self.axes):
             lever = self._levers[index]
-            if name.casefold() in held:
+            if name in held:
                 self._levers[index] = min(1.0, lever + passed / self._keyboard.out_in)
             else:
                 self._levers[index] = max(0.0, lever - passed / self._keyboard.back_in)

@@ -21,13 +21,13 @@ class Keyboard(Handheld):
     """Keys held on the participant's page; no force.
 
     A held key moves the stick out at a steady pace, a released one lets it back. The page's server
-    writes what is held, named as browsers name it (KeyboardEvent.key; letters small).
+    writes what is held, named by the key's place (KeyboardEvent.code), whatever is printed on it.
     """
 
     kind: Literal["keyboard"] = "keyboard"
     x: AxisMap = AxisMap(axis="ArrowUp", opposite="ArrowDown")
     y: AxisMap = AxisMap(axis="ArrowLeft", opposite="ArrowRight")
-    theta: AxisMap = AxisMap(axis="q", opposite="e")
+    theta: AxisMap = AxisMap(axis="KeyQ", opposite="KeyE")
     out_in: Annotated[Seconds, Positive] = 0.4
     """From rest to full deflection while a key is held (ours)."""
     back_in: Annotated[Seconds, Positive] = 0.15

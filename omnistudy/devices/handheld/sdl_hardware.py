@@ -81,7 +81,7 @@ class SdlHardware(Hardware):
         if stick.strength is not None:
             from omnistudy.devices.handheld.sdl_motors import sdl_motors
 
-            self.motors = sdl_motors(library, self._joystick)
+            self.motors = sdl_motors(library, self._joystick, stick.strength.turned)
         self._last = tuple(axis.centre for axis in self.axes)
         self._lost = False
 

@@ -15,7 +15,7 @@ from omnistudy.devices.handheld.force_effects import ForceEffects
 from omnistudy.devices.handheld.hardware import Motors
 
 
-def sdl_motors(library: Any, joystick: Any) -> SdlMotors | None:
+def sdl_motors(library: Any, joystick: Any, turned: bool) -> SdlMotors | None:
     """Give the motors of a joystick; None for one without, or one that can only rumble."""
     haptic = library.SDL_HapticOpenFromJoystick(joystick)
     if not haptic:
@@ -23,13 +23,14 @@ def sdl_motors(library: Any, joystick: Any) -> SdlMotors | None:
     if not library.SDL_HapticQuery(haptic) & library.SDL_HAPTIC_CONSTANT:
         library.SDL_HapticClose(haptic)
         return None
-    return SdlMotors(library, haptic)
+    return SdlMotors(library, haptic, turned)
 
 
 class SdlMotors(Motors):
     """Effects are made when first needed, then updated; each dies by itself after its length."""
 
-    def __init__(self, library: Any, haptic: Any) -> None:
+    def __init__(self, library: Any, haptic: Any, turned: bool) -> None:
+        self._turned = turned
         self._sdl = library
         self._haptic = haptic
         can = library.SDL_HapticQuery(haptic)
@@ -44,7 +45,7 @@ class SdlMotors(Motors):
 
     def apply(self, effects: ForceEffects) -> None:
         """Make or update the effects, and start each anew so that it lasts its whole length."""
-        shape, sdl = shape_of(effects), self._sdl
+        shape, sdl = shape_of(effects, self._turned), self._sdl
         self._run(sdl.SDL_HAPTIC_CONSTANT, self._push(shape), (shape.push, shape.valid_ms))
         if self.springs:
             self._conditions(sdl.SDL_HAPTIC_SPRING, shape.spring, shape.valid_ms)

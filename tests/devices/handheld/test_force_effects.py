@@ -102,3 +102,11 @@ def test_what_is_stale_fades() -> None:
     away = (0.02, 0.0, 0.0)
     felt = [force_of(effects, away, REST, age, LEVERS, STRONG)[0] for age in (0.1, 0.15, 0.2, 9.0)]
     assert felt == pytest.approx([1.8, 1.0, 0.0, 0.0])
+
+
+def test_for_a_driver_that_pushes_the_other_way_only_the_push_is_turned() -> None:
+    field = ForceField(PlanarWrench(2.0, 1.0, 0.0), REST, ((10.0, 0, 0), (0, 5.0, 0), (0, 0, 0)))
+    effects = effects_of(field, REST, LEVERS, Strength())
+    straight, turned = shape_of(effects), shape_of(effects, turned=True)
+    assert abs(straight.push.pulls_to - turned.push.pulls_to) == pytest.approx(180.0)
+    assert turned._replace(push=straight.push) == straight

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
 from typing import Any
@@ -15,6 +16,7 @@ from omnistudy.devices.handheld.force_effects import Strength
 from omnistudy.devices.handheld.force_stick import ForceStick
 from omnistudy.devices.handheld.handheld import Handheld
 from omnistudy.devices.handheld.sdl_stick import SdlStick
+from omnistudy.devices.remote_device import RemoteDevice
 from omnistudy.geometry import ForceField, PlanarWrench
 from omnistudy.geometry.force_field import ZERO_MATRIX
 
@@ -23,6 +25,13 @@ X, Y, RZ, TRIGGER = 0x00, 0x01, 0x05, 0x120
 SPRING = ((60.0, 0.0, 0.0), (0.0, 30.0, 0.0), (0.0, 0.0, 0.0))
 DAMPER = ((5.0, 0.0, 0.0), (0.0, 2.5, 0.0), (0.0, 0.0, 0.0))
 HALF = Strength(force=5.0, speed=0.2)
+
+
+def wait_until(true: Callable[[], bool], seconds: float = 30.0) -> None:
+    end = time.monotonic() + seconds
+    while not true():
+        assert time.monotonic() < end, "it never came true"
+        time.sleep(0.01)
 
 
 class Stick:
@@ -192,3 +201,25 @@ def test_nothing_at_all_is_felt_of_a_law_without_force(plug_in: Callable[..., St
     push, spring, damper = stick.did("upload")
     assert push["level"] == 0
     assert {axis["right"] for one in (spring, damper) for axis in one["axes"]} == {0}
+
+
+def test_in_a_process_of_its_own_it_is_driven_renders_and_is_unplugged() -> None:
+    lacking = missing()
+    if lacking:
+        pytest.skip(f"needs {lacking}")
+    system = FakeSystem("fake_force_stick.py", "full")
+    with system.inside():
+        device = RemoteDevice(ForceStick())
+    told = device.introduction
+    assert told.identity == Identity("Fake SideWinder FFB2", "FF2-0042")
+    assert (told.forces, told.wrench) == ((True, True, False), "clipped")
+    device.open_trial(1)
+    system.say(f"move {Y} -512")
+    device.render(ForceField(PlanarWrench(1.0, 0, 0), (0, 0, 0), SPRING))
+    wait_until(lambda: device.advance(NO_HAND).position[0] == FULL.x)
+    wait_until(lambda: any(one.get("level") for one in system.say("log")))
+    system.say("unplug")
+    wait_until(lambda: "was unplugged" in device.trouble())
+    assert device.advance(NO_HAND).position == (0.0, 0.0, 0.0)
+    device.close()
+    system.close()

@@ -39,19 +39,19 @@ def study(tmp_path: Path) -> Path:
 def levers(study: Path, page: Page, **settings: float) -> HeldKeys:
     keyboard = Keyboard(**settings).at(study)
     assert keyboard.file is not None
-    return HeldKeys(keyboard.file, ("ArrowUp", "q"), keyboard, page.clock)
+    return HeldKeys(keyboard.file, ("ArrowUp", "KeyQ"), keyboard, page.clock)
 
 
 def test_a_held_key_moves_out_and_a_released_one_back(study: Path) -> None:
     page = Page(study)
     keys = levers(study, page, out_in=0.4, back_in=0.2)
     found = []
-    for held in (("ArrowUp",), ("ArrowUp",), ("ArrowUp", "Q"), (), ()):
+    for held in (("ArrowUp",), ("ArrowUp",), ("ArrowUp", "KeyQ"), (), ()):
         page.now += 0.1
         page.hold(*held)
         found.append(keys.read())
     assert [up for up, _ in found] == pytest.approx([0.25, 0.5, 0.75, 0.25, 0.0])
-    assert [q for _, q in found] == pytest.approx([0.0, 0.0, 0.25, 0.0, 0.0])
+    assert [turn for _, turn in found] == pytest.approx([0.0, 0.0, 0.25, 0.0, 0.0])
 
 
 def test_keys_that_nobody_renews_are_released(study: Path) -> None:
@@ -88,13 +88,13 @@ def test_what_is_not_understood_holds_nothing(study: Path) -> None:
     assert keys.read() == (0.0, 0.0)
 
 
-def test_arrows_drive_and_two_letters_turn(study: Path) -> None:
+def test_arrows_drive_and_two_letter_keys_turn(study: Path) -> None:
     import time
 
     with LatestValue(keys_file(study), 4096) as file:
         device = Keyboard(out_in=1e-6).at(study).connect(250)
         device.advance(NO_HAND)
-        told = {"at": time.monotonic(), "held": ["ArrowUp", "ArrowRight", "q"]}
+        told = {"at": time.monotonic(), "held": ["ArrowUp", "ArrowRight", "KeyQ"]}
         file.write(json.dumps(told).encode())
         assert device.advance(NO_HAND).position == (FULL.x, -FULL.y, FULL.theta)
         assert device.trouble() == ""
