@@ -146,6 +146,14 @@ class RunningDevice(ABC):
         Real hardware takes no notice of `hand` and never waits: it gives the newest that came.
         """
 
+    def rest(self) -> None:
+        """Let the hand go its way until `wake`: no trial goes on, and letting go is no trouble."""
+        return
+
+    def wake(self) -> None:
+        """Begin a trial after a rest."""
+        return
+
     def rows(self) -> Sequence[tuple[float, ...]]:
         """Give what it told during the last `advance`, oldest first: position, rate, values."""
         return ()

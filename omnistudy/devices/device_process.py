@@ -101,6 +101,7 @@ def _introduced(
     device: Device, running: RunningDevice, files: Files, parent: int, telling: Connection
 ) -> _Loop | None:
     """Wake the device and introduce it; None when it cannot be driven with."""
+    running.rest()
     try:
         running.advance(NO_HAND)
     except OmnistudyError as mistake:

@@ -6,15 +6,16 @@ from abc import abstractmethod
 from collections.abc import Sequence
 from functools import cached_property
 
-from omnistudy.channel import Channel
 from omnistudy.devices.device import DeviceState, Health, Identity, RunningDevice
 from omnistudy.devices.simulated_stick import SimulatedStick
 from omnistudy.devices.stick.ceiling import Ceiling
 from omnistudy.devices.stick.conversion import handle_scale
 from omnistudy.devices.stick.force_calibration import ForceCalibration
+from omnistudy.devices.stick.layouts import Message
 from omnistudy.devices.stick.line import StickLine
 from omnistudy.devices.stick.messages import (
-    CYCLES_PER_TICK,
+    ARM_KEY,
+    Arm,
     Configuration,
     Disarm,
     Hello,
@@ -24,7 +25,8 @@ from omnistudy.devices.stick.messages import (
 from omnistudy.devices.stick.passivity import AddedDamping, PassivityObserver
 from omnistudy.devices.stick.tally import Tally
 from omnistudy.devices.stick.transport import Transport
-from omnistudy.devices.stick.watch import Expected, Watch
+from omnistudy.devices.stick.watch import SOFT, Expected, Watch
+from omnistudy.devices.stick_channels import CHANNELS, WORKED, axes, values
 from omnistudy.errors import OmnistudyError
 from omnistudy.errors.devices import NoAnswer, PortLost, Refused
 from omnistudy.errors.force_calibration import CalibrationOfAnother
@@ -43,20 +45,7 @@ class StickOnLine(RunningDevice):
 
     forces = (True, True, True)
     wrench = "clipped"
-    channels = (
-        Channel("motor_x", "N", "commanded motor force after clipping, with centring"),
-        Channel("motor_y", "N", "commanded motor force after clipping, with centring"),
-        Channel("motor_theta", "N·m", "commanded torque after clipping, with centring"),
-        Channel("stick_worked", "1", "share of a tick until the motors were driven"),
-        Channel("stick_missed", "1", "ticks that the firmware missed so far"),
-        Channel("stick_tick", "ms", "the stick's own time"),
-        Channel("stick_state", "1", "state of the firmware, docs/joystick-protocol.md"),
-        Channel("stick_signs", "1", "saturation, enable line, switches, as bits"),
-        Channel("stick_faults", "1", "faults of the firmware, as bits"),
-        Channel("energy_x", "J", "taken from the hand in x; below zero: given to it"),
-        Channel("energy_y", "J", "taken from the hand in y; below zero: given to it"),
-        Channel("energy_theta", "J", "taken from the hand in theta; below zero: given to it"),
-    )
+    channels = CHANNELS
 
     def __init__(
         self,
@@ -72,12 +61,7 @@ class StickOnLine(RunningDevice):
         self._calibration = calibration
         self._ceiling = ceiling
         self._added_damping = added_damping
-        x, y, theta = self._scale.per_count
-        self.axes = (
-            Channel("stick_x", "m", "handle's travel, forward", x),
-            Channel("stick_y", "m", "handle's travel, left", y),
-            Channel("stick_theta", "rad", "handle's twist, counter-clockwise", theta),
-        )
+        self.axes = axes(self._scale.per_count)
         self._energy = PassivityObserver()
         self._rows: list[tuple[float, ...]] = []
         self._values = (0.0,) * len(self.channels)
@@ -87,6 +71,8 @@ class StickOnLine(RunningDevice):
         self._tally = Tally()
         self._damaged = 0
         self._trouble = ""
+        self._resting = False
+        self._soft = True
 
     @abstractmethod
     def _open(self) -> Transport:
@@ -103,7 +89,7 @@ class StickOnLine(RunningDevice):
 
     @cached_property
     def _line(self) -> StickLine:
-        """The line to a stick that is armed.
+        """The line to a stick that is not armed yet.
 
         Raises NoAnswer, WrongProtocol, Refused, CalibrationOfAnother.
         """
@@ -118,22 +104,60 @@ class StickOnLine(RunningDevice):
         self._who = line.identify()
         if self._calibration:
             self._calibration.check_serial(str(self._who.serial))
-        line.arm()
-        line.listen(SETTLING)
-        self._damaged = line.deframer.damaged
         expected = Expected(self._who, self._stick.stops, limits)
         self._watch = Watch(expected, line.transport.now())
+        self._watch.resting = self._resting
         return line
 
     def _reach(self) -> StickLine | None:
-        """Give the line, or None with the trouble told when the stick cannot be armed."""
-        if self._trouble and "_line" not in self.__dict__:
+        """Give the line to the stick that was armed, or None with the trouble told."""
+        if "_line" in self.__dict__:
+            return self._line
+        if self._trouble:
             return None
         try:
-            return self._line
+            line = self._line
+            self._arm_first(line)
         except (Refused, NoAnswer, CalibrationOfAnother) as cause:
             self._trouble = str(cause)
             return None
+        return line
+
+    def _arm_first(self, line: StickLine) -> None:
+        """Arm and wait until the stick is ready; at rest it may as well be armed later."""
+        try:
+            line.arm()
+        except Refused:
+            if not self._resting:
+                raise
+        else:
+            self._soft = False
+        line.listen(SETTLING)
+        self._damaged = line.deframer.damaged
+        self._watch.begin(line.transport.now())
+
+    def rest(self) -> None:
+        """Let the hand go its way between trials: a switch that is let go is no trouble then."""
+        self._resting = True
+        if "_line" in self.__dict__:
+            self._watch.resting = True
+
+    def wake(self) -> None:
+        """Begin a trial: have force again if it was let go meanwhile, and count energy anew."""
+        self._resting = False
+        self._energy = PassivityObserver()
+        line = self._reach()
+        if line is None or self._trouble:
+            return
+        self._watch.wake(line.transport.now())
+        if self._soft:
+            self._send(line, Arm(ARM_KEY))
+
+    def _send(self, line: StickLine, message: Message) -> None:
+        try:
+            line.send(message)
+        except PortLost as cause:
+            self._ail(cause)
 
     def values(self) -> tuple[float, ...]:
         """Give the last tick's values; `stick_worked` is the greatest of the last step."""
@@ -169,27 +193,18 @@ class StickOnLine(RunningDevice):
             return
         if self._added_damping:
             field = self._damped(field, self._added_damping, line.transport.now())
-        try:
-            line.send(self._scale.wire(self._ceiling.bound(field, self._state)))
-            self._fields += 1
-            if self._fields % FIELDS_AN_ASKING == 0:
-                line.send(Hello())
-        except PortLost as cause:
-            self._ail(cause)
+        self._send(line, self._scale.wire(self._ceiling.bound(field, self._state)))
+        self._fields += 1
+        if self._fields % FIELDS_AN_ASKING == 0:
+            self._send(line, Hello())
 
     def close(self) -> None:
         """Disarm and end the line; a stick that is out of reach goes soft by its own silence."""
         if "_line" not in self.__dict__:
             return
         line = self._line
-        self._disarm(line)
+        self._send(line, Disarm())
         line.transport.close()
-
-    def _disarm(self, line: StickLine) -> None:
-        try:
-            line.send(Disarm())
-        except PortLost as cause:
-            self._ail(cause)
 
     def _ail(self, cause: OmnistudyError) -> None:
         """Tell what happened, unless there was trouble before."""
@@ -201,12 +216,12 @@ class StickOnLine(RunningDevice):
         worked = 0.0
         self._tally.take(heard)
         for told in heard:
-            state, values = self._tell(told)
-            worked = max(worked, values[3])
-            rows.append((*state.position, *state.rate, *values))
-            self._state, self._values = state, values
-        if rows:
-            self._values = (*self._values[:3], worked, *self._values[4:])
+            self._state, self._values = self._tell(told)
+            worked = max(worked, self._values[WORKED])
+            rows.append((*self._state.position, *self._state.rate, *self._values))
+        if heard:
+            self._soft = heard[-1].state in SOFT
+            self._values = (*self._values[:WORKED], worked, *self._values[WORKED + 1 :])
         self._judge(line, heard)
         return STILL if self._trouble else self._state
 
@@ -217,16 +232,7 @@ class StickOnLine(RunningDevice):
     def _tell(self, told: Telemetry) -> tuple[DeviceState, tuple[float, ...]]:
         state, force = self._scale.state(told), self._scale.force(told)
         self._energy.see(state.position, force)
-        return state, (
-            *force,
-            told.worked / CYCLES_PER_TICK,
-            float(told.missed),
-            float(told.tick),
-            float(told.state),
-            float(told.signs),
-            float(told.faults),
-            *self._energy.energy,
-        )
+        return state, values(told, force, self._energy.energy)
 
     def _judge(self, line: StickLine, heard: list[Telemetry]) -> None:
         if self._trouble:
@@ -237,9 +243,9 @@ class StickOnLine(RunningDevice):
             trouble = trouble or self._watch.meet(identity)
         if trouble:
             self._trouble = trouble
-            self._disarm(line)
+            self._send(line, Disarm())
         elif self._watch.asks and not asked:
-            line.send(Hello())
+            self._send(line, Hello())
 
     def _damped(self, field: ForceField, added: AddedDamping, now: float) -> ForceField:
         """Add the damping that makes good what the stick gave out since the last field."""

@@ -41,6 +41,8 @@ SATURATED_TICKS = 10 * TICK_HZ
 """Ticks without a break at an axis' limit (ours)."""
 ASK_AFTER_RESTART = 0.02
 """s that are waited for the reason of a new start (ours)."""
+ARM_WITHIN = 0.1
+"""s from a trial's beginning until a stick that was let go in the rest has force again (ours)."""
 SOFT = (State.IDLE, State.FAULT)
 RESET_CAUSES = {1: "its power came back", 2: "its reset line", 4: "a brown-out", 8: "its watchdog"}
 """MCUSR of an ATmega2560; a bootloader may clear it."""
@@ -68,7 +70,10 @@ class Expected(NamedTuple):
 
 
 class Watch:
-    """Judges frame by frame; what it found first, it says for good."""
+    """Judges frame by frame; what it found first, it says for good.
+
+    resting : no trial goes on, and a stick that is soft is no trouble.
+    """
 
     def __init__(self, expected: Expected, now: float) -> None:
         self._expected = expected
@@ -79,7 +84,19 @@ class Watch:
         self._whole_window = True
         self._glitches = 0
         self._restarted_at: float | None = None
+        self._armed_by: float | None = None
+        self.resting = False
         self.trouble = ""
+
+    def begin(self, now: float) -> None:
+        """Forget the time before: the stick is armed, or at rest, from `now` on."""
+        self._heard_at = self._looked_at = self._window_from = now
+        self._frames = 0
+
+    def wake(self, now: float) -> None:
+        """Have a rest end: the stick must have force again soon."""
+        self.resting = False
+        self._armed_by = now + ARM_WITHIN
 
     @property
     def asks(self) -> bool:
@@ -128,6 +145,9 @@ class Watch:
 
     def _state(self, told: Telemetry) -> str:
         if told.state not in SOFT:
+            self._armed_by = None
+            return ""
+        if self.resting or (self._armed_by is not None and self._looked_at < self._armed_by):
             return ""
         faults = Fault(told.faults).name or "no fault"
         return f"the stick is soft (state {State(told.state).name}; {faults})"
