@@ -195,6 +195,9 @@ class _Loop:
             if order.trial and order.trial != before.trial:
                 self._rows = 0
                 self._cadence.begin(order.trial)
+                self._running.wake()
+            elif before.trial and not order.trial:
+                self._running.rest()
             if order.fields != before.fields and order.trial:
                 self._running.render(order.field)
         if not self._order.trial and self._turn % self._idle_turns == 1:
