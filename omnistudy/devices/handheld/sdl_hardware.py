@@ -88,7 +88,7 @@ class SdlHardware(Hardware):
     def read(self) -> tuple[float, ...]:
         """Ask for the state of this moment."""
         self._sdl.SDL_JoystickUpdate()
-        self._lost = self._lost or not self._sdl.SDL_JoystickGetAttached(self._joystick)
+        self._lost = not self._sdl.SDL_JoystickGetAttached(self._joystick)
         if not self._lost:
             self._last = tuple(float(reader.value()) for reader in self._readers)
         return self._last

@@ -153,6 +153,19 @@ def test_the_stick_s_own_centring_is_off_and_closing_leaves_no_effect(
     assert sorted(one["slot"] for one in stick.did("erase")) == [0, 1, 2]
 
 
+def test_what_was_commanded_is_told_clipped(plug_in: Callable[..., Stick]) -> None:
+    stick = plug_in(ForceStick(strength=HALF))
+    stick.ask("render", ForceField(PlanarWrench(9.0, 0.0, 3.0)))
+    stick.advance()
+    assert stick.ask("values") == pytest.approx((5.0, 0.0))
+    assert stick.ask("health").saturated == (1, 0, 0)
+    stick.ask("render", ForceField(PlanarWrench(0.0, 2.0, 0.0)))
+    stick.advance()
+    assert stick.ask("values") == pytest.approx((0.0, 2.0))
+    assert stick.ask("health").saturated == (1, 0, 0)
+    assert [one.name for one in stick.ask("channels")] == ["commanded_x", "commanded_y"]
+
+
 def test_without_springs_the_push_holds_the_spring_s_force(plug_in: Callable[..., Stick]) -> None:
     stick = plug_in(motors="push")
     stick.say(f"move {Y} -512")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from math import exp
 
 import pytest
 from virtual_joystick import VirtualJoystick, in_a_child
@@ -63,6 +64,23 @@ def test_hats_buttons_and_triggers_can_be_axes() -> None:
     there.point(up=True)
     assert pad.advance(NO_HAND).position[2] == pytest.approx(FULL.theta)
     assert stick.advance(NO_HAND).position == (FULL.x, 0.0, -FULL.theta)
+
+
+@in_a_child
+def test_the_rate_is_the_smoothed_difference_of_positions() -> None:
+    there = VirtualJoystick()
+    sharp = SdlStick(rate_smoothing=0.0).connect(250)
+    smooth = SdlStick(rate_smoothing=0.02).connect(250)
+    for device in (sharp, smooth):
+        device.advance(NO_HAND)
+    there.move(1, -32768)
+    step = FULL.x * 250  # the whole way in one tick
+    assert sharp.advance(NO_HAND).rate[0] == pytest.approx(step)
+    assert smooth.advance(NO_HAND).rate[0] == pytest.approx(step * (1 - exp(-0.2)))
+    assert sharp.advance(NO_HAND).rate == (0.0, 0.0, 0.0)
+    moved = [smooth.advance(NO_HAND).rate[0] for _ in range(100)]
+    assert moved[4] == pytest.approx(step * (1 - exp(-0.2)) * exp(-1.0))
+    assert smooth.rows() == ((FULL.x, 0.0, 0.0, moved[-1], 0.0, 0.0),)
 
 
 @in_a_child
