@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -136,10 +137,35 @@ def monitor(device: DeviceOrPort = None, seconds: Seconds = 0.0, json: AsJson = 
 def calibrate(
     device: Annotated[
         str,
-        typer.Argument(help="A page such as gamepad.", autocompletion=_pages),
+        typer.Argument(
+            help="A page such as gamepad; with --force also a stick's serial port.",
+            autocompletion=_ports_and_pages,
+        ),
     ],
+    force: Annotated[
+        bool, typer.Option("--force", help="Find what its motors push, with an instrument.")
+    ] = False,
+    instrument: Annotated[
+        str, typer.Option(help="With --force: what is read, and how exact it is.")
+    ] = "",
+    who: Annotated[str, typer.Option(help="With --force: initials of who reads, or nothing.")] = "",
+    greatest: Annotated[
+        int, typer.Option(help="With --force: PWM steps of the greatest push.", min=2, max=255)
+    ] = 200,
+    levels: Annotated[
+        int, typer.Option(help="With --force: sizes of push either way.", min=2, max=20)
+    ] = 4,
+    readings: Annotated[
+        Path | None,
+        typer.Option(
+            help="With --force: a CSV file (axis, duty, force) to use instead of measuring.",
+            exists=True,
+            dir_okay=False,
+        ),
+    ] = None,
     page: Annotated[
-        str | None, typer.Option(help="Name of the page that is written; DEVICE unless given.")
+        str | None,
+        typer.Option(help="Name of the page that is written; DEVICE, or stick, unless given."),
     ] = None,
     replace: Annotated[
         bool, typer.Option("--replace", help="Replace the lab's page without asking.")
@@ -154,10 +180,21 @@ def calibrate(
     Leads through each step; the device gives no force. The folder is the one of --conf or
     OMNISTUDY_CONF, else ./lab. A page of the same name comes before ours.
 
+    With --force it pushes: a stick with our firmware takes steps of PWM against a load cell or a
+    spring scale, and what is read becomes newtons a step, with their uncertainty and a dead band.
+
     Example: omnistudy device calibrate gamepad --dry-run
+
+    Example: omnistudy device calibrate serial_stick --force --instrument 'load cell, ±0.02 N'
     """
     from omnistudy.cli.device_calibrate import find_ranges
+    from omnistudy.cli.device_force import ForceOptions, measure_forces
 
+    if force:
+        options = ForceOptions(instrument, who, greatest, levels, readings)
+        name = page or ("stick" if "/" in device else device)
+        measure_forces(device, name, options, replace, dry_run, json)
+        return
     find_ranges(device, page or device, replace, dry_run, json)
 
 

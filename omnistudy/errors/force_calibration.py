@@ -74,3 +74,23 @@ class CalibrationOfAnother(OmnistudyError):
             f"calibration: it was made with the stick of serial number {wanted}, but this one's is "
             f"{found}: name this stick's own calibration, or none to use nominal forces"
         )
+
+
+class NoForceToCalibrate(OmnistudyError):
+    """A device whose motors do not follow our firmware."""
+
+    def __init__(self, device: str) -> None:
+        super().__init__(
+            f"device '{device}' has no motors behind our firmware, so there are no PWM steps to "
+            "calibrate: give a page of kind serial_stick, or a stick's serial port"
+        )
+
+
+class PortNeeded(OmnistudyError):
+    """A stick that is on no port, and no readings either."""
+
+    def __init__(self, device: str) -> None:
+        super().__init__(
+            f"device '{device}' is at no serial port where it could be measured: give a page of "
+            "kind serial_stick or a port, or readings with --readings FILE"
+        )

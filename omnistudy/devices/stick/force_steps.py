@@ -19,8 +19,14 @@ VALID_FOR = 250
 """ms, the longest: a program that dies leaves no force behind."""
 SOFT_START = 300
 """ms until a step has all its force (ours)."""
-SETTLING = 1.0
-"""s from `arm` until the instrument is read (ours)."""
+SILENCE = 1000
+"""ms, the longest that the firmware allows: a field is stale long before."""
+SETTLING = 0.5
+"""s that the force stands before the instrument is read (ours)."""
+SETTLED_WITHIN = 3.0
+"""s until a step must have come whole (ours)."""
+SILENT_AFTER = 0.5
+"""s without telemetry that end it (ours)."""
 LONGEST = 30.0
 """s that a step is held at most, for the motors' sake (ours)."""
 MOST_COUNTS = 30
@@ -81,32 +87,38 @@ def measure(
 
 def _without_own_force(settings: Configuration) -> Configuration:
     return settings._replace(
-        centring_stiffness=NONE3, centring_damping=NONE3, gravity=NONE3, soft_start=SOFT_START
-    )
+        centring_stiffness=NONE3, centring_damping=NONE3, gravity=NONE3, soft_start=SOFT_START,
+        silence=SILENCE,
+    )  # fmt: skip
 
 
 def _read(line: StickLine, axis: int, duty: int, instrument: Instrument, tell: Tell) -> float:
     """Hold one step until it was read; no force is left afterwards."""
     tell(axis, duty)
-    began = line.transport.now()
     line.arm()
+    began = even_since = line.transport.now()
     stood = _hold(line, axis, duty).position[axis]
-    while (held := line.transport.now() - began) < LONGEST:
+    while (now := line.transport.now()) < began + LONGEST:
         told = _hold(line, axis, duty)
-        if told.state not in (State.RISING, State.FORCE):
-            faults = Fault(told.faults).name or "no fault"
-            raise ForceWithdrawn(AXES[axis], duty, f"{State(told.state).name}, {faults}")
-        moved = abs(told.position[axis] - stood)
-        if moved > MOST_COUNTS:
-            raise HandleMoved(AXES[axis], duty, moved, MOST_COUNTS)
-        if held < SETTLING:
-            continue
+        _insist(axis, duty, told, stood)
         if told.motor[axis] != duty:
-            raise ForceWithdrawn(AXES[axis], duty, f"its settings allow {told.motor[axis]:+d}")
-        if (force := instrument()) is not None:
+            even_since = now
+            if now > began + SETTLED_WITHIN:
+                raise ForceWithdrawn(AXES[axis], duty, f"its settings allow {told.motor[axis]:+d}")
+        elif now > even_since + SETTLING and (force := instrument()) is not None:
             line.disarm()
             return force
     raise NothingRead(AXES[axis], duty, LONGEST)
+
+
+def _insist(axis: int, duty: int, told: Telemetry, stood: int) -> None:
+    """Make sure that the stick pushes and stands still; raises ForceWithdrawn, HandleMoved."""
+    if told.state not in (State.RISING, State.FORCE):
+        faults = Fault(told.faults).name or "no fault"
+        raise ForceWithdrawn(AXES[axis], duty, f"{State(told.state).name}, {faults}")
+    moved = abs(told.position[axis] - stood)
+    if moved > MOST_COUNTS:
+        raise HandleMoved(AXES[axis], duty, moved, MOST_COUNTS)
 
 
 def _hold(line: StickLine, axis: int, duty: int) -> Telemetry:
@@ -115,7 +127,8 @@ def _hold(line: StickLine, axis: int, duty: int) -> Telemetry:
     wrench[axis] = duty * SCALES[Field]["wrench"]
     x, y, theta = wrench
     line.send(Field((x, y, theta), NONE3, NONE9, NONE9, VALID_FOR))
-    heard = line.listen(RENEWED)
-    if not heard:
-        raise NoTelemetry(RENEWED)
-    return heard[-1]
+    for _ in range(round(SILENT_AFTER / RENEWED)):
+        heard = line.listen(RENEWED)
+        if heard:
+            return heard[-1]
+    raise NoTelemetry(SILENT_AFTER)
