@@ -22,6 +22,8 @@ MEASURES: Mapping[str, str] = {
 """Unit of every measure; docs/database.md says what each means."""
 SATURATED = "saturated_"
 """Before the name of an axis: share of the device's ticks at which it pushed with all it has, 1."""
+CHECKED = ("check_", "zero_shift_")
+"""Before the name of what was checked before force: 1 passed; counts by which a zero was off."""
 
 
 class Measure(NamedTuple):
@@ -39,4 +41,5 @@ def measured(name: str, value: float) -> Measure:
 
 def is_measure(name: str) -> bool:
     """Tell whether an attempt can have a measure of this name."""
-    return name in MEASURES or (name.startswith(SATURATED) and name != SATURATED)
+    begins = (SATURATED, *CHECKED)
+    return name in MEASURES or (name.startswith(begins) and name not in begins)

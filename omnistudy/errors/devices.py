@@ -152,11 +152,11 @@ class DeviceSilent(OmnistudyError):
 
 
 class OnlyLive(OmnistudyError):
-    """A device or an operator of the real world, asked to run in simulated time."""
+    """A device of the real world, asked to run in simulated time."""
 
-    def __init__(self, what: str, kind: str) -> None:
+    def __init__(self, kind: str) -> None:
         super().__init__(
-            f"{what} '{kind}' lives in real time, which nobody can stop or hasten: "
+            f"device '{kind}' lives in real time, which nobody can stop or hasten: "
             "run the trials with `omnistudy session run STUDY --live`, or choose a simulated one"
         )
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from datetime import datetime
 from pathlib import Path
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 from omnistudy.protocol import Protocol
 from omnistudy.protocol.condition import Condition
@@ -21,15 +22,16 @@ from omnistudy.worlds import load_world
 
 DRIVES = "drives"
 """Folder among the studies where drives are kept."""
-OPERATORS = {"person": "person", "virtual": "virtual_driver"}
-"""Whose hand -> page of conf/operator."""
+WhoseHand = Literal["person", "virtual"]
+OPERATORS: Mapping[WhoseHand, str] = {"person": "person", "virtual": "virtual_driver"}
+"""Page of conf/operator of each hand."""
 
 
 class DriveParts(NamedTuple):
     """What is to be coupled, each part by the name of its page.
 
     route : "" is no route for a person, who drives as it pleases, and the world's first for the
-        virtual driver. hand : one of OPERATORS. minutes : after which a drive without a route ends.
+        virtual driver. hand : who holds the device. minutes : after which a drive without a route ends.
     """
 
     world: str
@@ -38,7 +40,7 @@ class DriveParts(NamedTuple):
     controller: str = "rate"
     plant: str = "youbot"
     route: str = ""
-    hand: str = "person"
+    hand: WhoseHand = "person"
     minutes: float = 10.0
     seed: int = 1
 
@@ -52,9 +54,11 @@ def drive_file(world: str, now: datetime) -> Path:
 def make_drive(parts: DriveParts, path: Path, lab: Path | None = None) -> None:
     """Make the study file of a drive, its only trial planned.
 
-    Raises UnknownPart, BrokenPart, UnknownWorld, UnknownRoute, NoRoute, StudyExists, NotWritable.
+    Raises UnknownPart, BrokenPart, UnknownWorld, UnknownRoute, NoRoute, NobodyHolds, StudyExists,
+    NotWritable.
     """
     protocol = drive_protocol(parts, lab)
+    protocol.operator.check_hold(protocol.device)
     path.parent.mkdir(parents=True, exist_ok=True)
     create_study(protocol, path, path.stem)
 

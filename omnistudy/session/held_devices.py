@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import NamedTuple, Self
 
 from omnistudy.channel import Measure, measured
-from omnistudy.devices import Device, RunningDevice
+from omnistudy.devices import Device, Identity, RunningDevice
 from omnistudy.devices.real_time import before_others
 from omnistudy.devices.remote_device import RemoteDevice
 from omnistudy.store.process import Recorder
@@ -16,10 +16,6 @@ from omnistudy.store.row_writer import StreamHead
 
 STREAM = "stick"
 """Name of the stream that holds every tick of a device with a process of its own."""
-
-
-def nothing_to_check() -> None:
-    """Find nothing wrong: the checks of a device that has none."""
 
 
 class _Apart(NamedTuple):
@@ -33,16 +29,20 @@ class _Apart(NamedTuple):
 class HeldDevices:
     """What is held in the live trials of one study; use as a context manager.
 
-    recheck : called before a device that ailed is connected again; raises when it must not be.
+    Each is checked before it is connected, and again after it ailed.
+
+    tell : shows a sentence to whoever is at the device, for its checks.
     """
 
-    def __init__(self, study: Path, recheck: Callable[[], None] = nothing_to_check) -> None:
+    def __init__(self, study: Path, tell: Callable[[str], None] = lambda sentence: None) -> None:
         self._study = study
-        self._recheck = recheck
+        self._tell = tell
         self._held = ExitStack()
         self._apart: _Apart | None = None
         self._ailed = False
         self._deaths = 0
+        self._expected: Identity | None = None
+        self._findings: tuple[Measure, ...] = ()
 
     def __enter__(self) -> Self:
         return self
@@ -53,19 +53,18 @@ class HeldDevices:
     def take(self, device: Device, physics_hz: int) -> RunningDevice | None:
         """Give a device ready to be driven with; None for one that each trial connects itself.
 
-        Raises what connecting raises, and what the checks raise after the last one ailed.
+        Raises what connecting raises, and what forbids force.
         """
         reached = device.at(self._study)
         if self._apart is not None and self._apart.device == reached and not self._ailed:
             return self._apart.remote
         self._let_go()
-        if self._ailed:
-            self._recheck()
-            self._ailed = False
+        if reached.in_lockstep and not reached.apart:
+            return None
+        self._findings = reached.before_force(self._tell, self._expected if self._ailed else None)
+        self._ailed = False
         if reached.apart:
             return self._connected(reached).remote
-        if reached.in_lockstep:
-            return None
         running = reached.connect(physics_hz)
         self._held.callback(running.close)
         return running
@@ -81,15 +80,20 @@ class HeldDevices:
         return before_others() if self._apart is not None else nullcontext()
 
     def close_trial(self, trial: int, *, ailed: bool) -> tuple[Measure, ...]:
-        """Say that it is over; give how well it was served and recorded."""
+        """Say that it is over; give how well it was served and recorded.
+
+        The first trial after checks has their findings too.
+        """
         self._ailed = ailed
+        findings, self._findings = self._findings, ()
         if self._apart is None:
-            return ()
+            return findings
         _, remote, recorder = self._apart
         told = remote.close_trial()
         recorder.settle()
         recorded = recorder.rows(trial)
         return (
+            *findings,
             *remote.measures(trial),
             measured("recorded_rows", recorded),
             measured("lost_rows", told - recorded),
@@ -104,9 +108,12 @@ class HeldDevices:
 
     def _connected(self, device: Device) -> _Apart:
         remote = self._held.enter_context(RemoteDevice(device))
+        if remote.introduction.missing:
+            self._tell(f"WARN: {remote.introduction.missing}")
         head = StreamHead(STREAM, device.tick_hz, remote.row_channels)
         recorder = self._held.enter_context(Recorder(self._study, remote.files.rows, head))
         self._apart = _Apart(device, remote, recorder)
+        self._expected = remote.identity()
         return self._apart
 
     def _let_go(self) -> None:

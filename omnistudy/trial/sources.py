@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from omnistudy.channel import Channel
 from omnistudy.devices import NO_HAND, DeviceRecord, DeviceState, RunningDevice, record_of
-from omnistudy.errors.devices import NobodyHolds, OnlyLive
+from omnistudy.errors.devices import OnlyLive
 from omnistudy.errors.operators import WrongAxes
 from omnistudy.geometry import ForceField
 from omnistudy.trial.spec import TrialSpec
@@ -125,9 +125,7 @@ class RecordSource(Source):
 
 
 def _check_live(spec: TrialSpec, held: RunningDevice | None) -> None:
-    """Refuse a real device or person in simulated time, and a person without a real device."""
-    device, operator = spec.device, spec.operator
-    if held is None and not device.in_lockstep:
-        raise OnlyLive("device", device.kind)
-    if device.in_lockstep and not operator.in_lockstep:
-        raise NobodyHolds(operator.kind, device.kind)
+    """Refuse a real device in simulated time, and a person without a real device."""
+    if held is None and not spec.device.in_lockstep:
+        raise OnlyLive(spec.device.kind)
+    spec.operator.check_hold(spec.device)
