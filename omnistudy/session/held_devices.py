@@ -50,6 +50,16 @@ class HeldDevices:
     def __exit__(self, *_: object) -> None:
         self._let_go()
 
+    @property
+    def remote(self) -> RemoteDevice | None:
+        """The device that a process of its own turns, if there is one at present."""
+        return self._apart.remote if self._apart else None
+
+    @property
+    def recorder(self) -> Recorder | None:
+        """What records its rows, if there is one at present."""
+        return self._apart.recorder if self._apart else None
+
     def take(self, device: Device, physics_hz: int) -> RunningDevice | None:
         """Give a device ready to be driven with; None for one that each trial connects itself.
 
