@@ -1,7 +1,8 @@
 """A force-feedback stick of umockdev's, as Linux would show it; run by the system's Python.
 
 Under LD_PRELOAD of umockdev. Says the folder of its fake system first. Then one order a line, each
-answered by one line of JSON: `move CODE VALUE`, `press CODE VALUE`, `overflow`, `unplug`, `log`.
+answered by one line of JSON: `move CODE VALUE`, `press CODE VALUE`, `overflow`, `unplug`, `plug`,
+`serial NUMBER 0`, `log`.
 The log has every effect that was uploaded, played and erased, in order.
 """
 
@@ -38,7 +39,7 @@ E: ID_INPUT_JOYSTICK=1
 A: dev=13:69\\n
 """
 NODE = "/dev/input/event5"
-NAME, SERIAL = b"Fake SideWinder FFB2", b"FF2-0042"
+NAME = b"Fake SideWinder FFB2"
 SYN, KEY, ABS, FF = 0x00, 0x01, 0x03, 0x15
 X, Y, THROTTLE, RZ, TRIGGER = 0x00, 0x01, 0x06, 0x05, 0x120
 RANGES = {X: (-512, 511), Y: (-512, 511), RZ: (-32, 31), THROTTLE: (0, 255)}
@@ -60,6 +61,7 @@ class Stick(UMockdev.IoctlBase):
     def __init__(self, forces: tuple[int, ...]) -> None:
         super().__init__()
         self.forces = forces
+        self.serial = b"FF2-0042"
         self.values = dict.fromkeys(RANGES, 0)
         self.queue: list[bytes] = []
         self.held: set[int] = set()
@@ -98,7 +100,7 @@ class Stick(UMockdev.IoctlBase):
             0x02: struct.pack("<HHHH", 3, 0x045E, 0x001B, 0x0110),
             0x06: NAME + b"\0",
             0x07: b"usb-1/input0\0",
-            0x08: SERIAL + b"\0",
+            0x08: self.serial + b"\0",
             0x09: b"\0",
             0x18: bits(*self.held),
             0x20: bits(SYN, KEY, ABS, *([FF] if self.forces else [])),
@@ -198,6 +200,12 @@ def obey(stick: Stick, testbed: UMockdev.Testbed, line: str) -> object:
     elif order == "unplug":
         stick.plugged = False
         testbed.uevent("/sys/devices/pci0000:00/usb1/1-1/input/input5/event5", "remove")
+    elif order == "plug":
+        stick.plugged = True
+        stick.queue.clear()
+        stick.values.update(dict.fromkeys(RANGES, 0))
+    elif order == "serial":  # another stick of the same make
+        stick.serial = f"FF2-{code:04}".encode()
     elif order == "log":
         return stick.log
     return None

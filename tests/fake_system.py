@@ -104,9 +104,21 @@ Process.register("attached", attached)
 @contextmanager
 def process_inside(system: FakeSystem) -> Iterator[Any]:
     """Give a process that sees the fake device."""
+    with system.inside(), _process() as process:
+        yield process
+
+
+@contextmanager
+def preloaded_process() -> Iterator[Any]:
+    """Give a process that sees a fake device once it has made one itself."""
+    with patch.dict(os.environ, {"LD_PRELOAD": PRELOADED}), _process() as process:
+        yield process
+
+
+@contextmanager
+def _process() -> Iterator[Any]:
     process = Process(ctx=get_context("spawn"))
-    with system.inside():
-        process.start()
+    process.start()
     try:
         yield process
     finally:

@@ -111,3 +111,25 @@ class NoSuchDevice(OmnistudyError):
             f"device '{device}' is no hardware, there is nothing to {verb}: "
             "`omnistudy device list` names what is plugged in"
         )
+
+
+class AnotherDevice(OmnistudyError):
+    """A device that is not the one that was driven with before."""
+
+    def __init__(self, model: str, serial: str, found: str, found_serial: str) -> None:
+        before = f"'{model}'" + (f" (serial number {serial})" if serial else "")
+        now = f"'{found}'" + (f" (serial number {found_serial})" if found_serial else "")
+        super().__init__(
+            f"{now} is plugged in where {before} was: plug that one in again, or begin another "
+            "session"
+        )
+
+
+class NotAtRest(OmnistudyError):
+    """A device that nobody let go of."""
+
+    def __init__(self, seconds: float) -> None:
+        super().__init__(
+            f"the device did not come to rest within {seconds:g} s: let go of it, and calibrate it "
+            "if it strays (`omnistudy device calibrate`)"
+        )

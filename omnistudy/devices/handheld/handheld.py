@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from math import exp
 from typing import Annotated, ClassVar
 
 from pydantic import Field
 
-from omnistudy.channel import Channel
+from omnistudy.channel import Channel, Measure
 from omnistudy.devices.device import (
     Device,
     DeviceState,
@@ -78,6 +78,14 @@ class Handheld(Device, ABC):
     @abstractmethod
     def reach(self) -> Hardware:
         """Open the device; raises what its driver meets (errors/handheld.py)."""
+
+    def before_force(
+        self, tell: Callable[[str], None], expected: Identity | None = None
+    ) -> tuple[Measure, ...]:
+        """Make sure that it is the same device and rests; raises AnotherDevice or NotAtRest."""
+        from omnistudy.devices.handheld.before_driving import checked
+
+        return checked(self, tell, expected)
 
     def connect(self, physics_hz: int) -> RunningHandheld:
         """Give the device, to be asked `physics_hz` times a second; first use opens it."""

@@ -9,13 +9,17 @@ import pytest
 from virtual_joystick import VirtualJoystick, in_a_child
 
 from omnistudy.devices import NO_HAND, Identity
+from omnistudy.devices.handheld import before_driving
 from omnistudy.devices.handheld.axes import AxisMap, Travel
+from omnistudy.devices.handheld.before_driving import LET_GO
 from omnistudy.devices.handheld.sdl_hardware import attached_sdl_sticks
 from omnistudy.devices.handheld.sdl_stick import SdlStick
 from omnistudy.errors.handheld import (
+    AnotherDevice,
     CannotOpen,
     NoDriver,
     NoSuchAxis,
+    NotAtRest,
     NothingPluggedIn,
     WhichDevice,
 )
@@ -116,6 +120,34 @@ def test_of_several_the_page_says_which() -> None:
     assert device.advance(NO_HAND).position == (0.0, -FULL.y, 0.0)
     with pytest.raises(NoSuchAxis, match="no axis 'axis_9'"):
         SdlStick(name="left", x=AxisMap(axis="axis_9")).connect(250).advance(NO_HAND)
+
+
+@in_a_child
+def test_before_driving_it_must_rest(monkeypatch: pytest.MonkeyPatch) -> None:
+    there = VirtualJoystick()
+    asked: list[str] = []
+    found = SdlStick().before_force(asked.append)
+    assert ([one.name for one in found], asked) == (["check_identity", "check_rest"], [])
+
+    def let_go(sentence: str) -> None:
+        asked.append(sentence)
+        there.move(1, 0)
+
+    there.move(1, 20000)
+    SdlStick().before_force(let_go)
+    assert asked == [LET_GO]
+    there.move(1, 20000)
+    monkeypatch.setattr(before_driving, "PATIENCE_S", 0.05)
+    with pytest.raises(NotAtRest, match="did not come to rest within"):
+        SdlStick().before_force(asked.append)
+
+
+@in_a_child
+def test_after_trouble_it_must_be_the_one_that_was_driven_with() -> None:
+    VirtualJoystick("Stick A")
+    SdlStick().before_force(print, Identity("Stick A"))
+    with pytest.raises(AnotherDevice, match="'Stick A' is plugged in where 'Stick B' was"):
+        SdlStick().before_force(print, Identity("Stick B"))
 
 
 @in_a_child
