@@ -100,10 +100,11 @@ def free(
 
 def _print_driven(done: Driven) -> None:
     reason = f" ({done.reason})" if done.reason else ""
-    print_line(
-        f"{done.status}{reason} after {done.duration_s:.1f} s and {done.path_length_m:.2f} m, "
-        f"{done.collisions} collisions"
+    drove = done.duration_s == done.duration_s  # not a number where nothing was ever commanded
+    came_to = (
+        f"after {done.duration_s:.1f} s and {done.path_length_m:.2f} m" if drove else "at rest"
     )
+    print_line(f"{done.status}{reason} {came_to}, {done.collisions} collisions")
     for measure in done.measures:
         print_line(f"{measure.name:24} {measure.value:g} {measure.unit.replace('1', '')}".rstrip())
-    print_line(f"kept in {done.file}; see it again with `omnistudy replay {done.file}`")
+    print_line(f"kept in {done.file}; see it again: omnistudy replay {done.file} {done.trial}")

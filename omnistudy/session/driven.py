@@ -14,7 +14,7 @@ from omnistudy.store import open_study
 class Driven:
     """The last attempt of a drive, and how well it was run; what was checked before is left out.
 
-    duration_s : s from the first command. path_length_m : m.
+    duration_s : s from the first command, NaN when there was none. path_length_m : m.
     """
 
     file: Path
