@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from math import exp
 
 import pytest
@@ -17,7 +16,6 @@ from omnistudy.devices.handheld.sdl_stick import SdlStick
 from omnistudy.errors.handheld import (
     AnotherDevice,
     CannotOpen,
-    NoDriver,
     NoSuchAxis,
     NotAtRest,
     NothingPluggedIn,
@@ -163,27 +161,6 @@ def test_what_sdl_does_not_know_is_no_gamepad() -> None:
     VirtualJoystick(gamepad=False)
     with pytest.raises(CannotOpen, match="put 'read_as: joystick'"):
         part("device", "gamepad").connect(250).advance(NO_HAND)
-
-
-@pytest.mark.parametrize(
-    ("failure", "sentence"),
-    [
-        (ModuleNotFoundError("sdl2"), r"PySDL2, which is not installed: pip install"),
-        (ImportError("no SDL2"), r"SDL2, which is not installed: apt-get install libsdl2-2.0-0"),
-    ],
-)
-def test_a_missing_library_is_one_sentence(
-    monkeypatch: pytest.MonkeyPatch, failure: ImportError, sentence: str
-) -> None:
-    class Missing:
-        def find_spec(self, name: str, *_: object) -> None:
-            if name == "sdl2":
-                raise failure
-
-    monkeypatch.delitem(sys.modules, "sdl2", raising=False)
-    monkeypatch.setattr(sys, "meta_path", [Missing(), *sys.meta_path])
-    with pytest.raises(NoDriver, match=sentence):
-        SdlStick().connect(250).advance(NO_HAND)
 
 
 def test_nothing_is_opened_to_be_described() -> None:
