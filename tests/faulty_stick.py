@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
+from math import inf
 from pathlib import Path
 from typing import Any, Literal
 
@@ -27,6 +28,10 @@ FAULTS = (
     "dead_man",
 )
 """Every fault is of x, where it is of an axis."""
+
+
+TICKS_OF_A_TRIAL = 300
+"""Before the next fault of the file happens."""
 
 
 class FaultyLine:
@@ -75,6 +80,7 @@ class FaultyStickInMotion(EmulatedStickInMotion):
     """Takes a fault by its name, from `inject` or from a file."""
 
     control: Path | None = None
+    after = inf
 
     @cached_property
     def line(self) -> FaultyLine:
@@ -83,10 +89,20 @@ class FaultyStickInMotion(EmulatedStickInMotion):
     def _open(self) -> Transport:
         return self.line
 
+    def wake(self) -> None:
+        super().wake()
+        self.after = TICKS_OF_A_TRIAL
+
     def advance(self, hand: Hand) -> DeviceState:
-        if self.control is not None and self.control.exists():
-            self.inject(self.control.read_text())
-            self.control.unlink()
+        if self.control is not None:
+            self.after -= 1
+            if self.after <= 0 and self.control.exists():
+                fault, _, rest = self.control.read_text().partition("\n")
+                self.control.unlink()
+                if rest:
+                    self.control.write_text(rest)
+                self.after = inf
+                self.inject(fault)
         state = super().advance(hand)
         if self.control is not None and self.trouble():
             duties = self.line.board.duties
@@ -137,7 +153,7 @@ def other_stick() -> EmulatedStick:
 
 
 class FaultyStick(EmulatedStickDevice):
-    """The emulated stick; a fault whose name is put into the file `control` happens at once."""
+    """The emulated stick; it takes the next line of the file `control` for the name of a fault."""
 
     kind: Literal["faulty_stick"] = "faulty_stick"  # type: ignore[assignment]
     control: Path | None = None

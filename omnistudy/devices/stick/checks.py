@@ -77,7 +77,7 @@ class Checks(NamedTuple):
 def findings(checks: Checks) -> tuple[Measure, ...]:
     """Give what was found as numbers to be stored: 1 passed, 0 failed, and counts of drift."""
     outcomes = [
-        Measure(f"check_{one.what.replace(' ', '_')}", float(one.sound), "1")
+        Measure(f"check_{_as_name(one.what)}", float(one.sound), "1")
         for one in checks.findings
     ]
     drift = [
@@ -85,6 +85,10 @@ def findings(checks: Checks) -> tuple[Measure, ...]:
         for axis, shift in zip(AXES, checks.shifts, strict=True)
     ]
     return (*outcomes, *drift)
+
+
+def _as_name(words: str) -> str:
+    return words.replace("'s", "").replace("-", "_").replace(" ", "_")
 
 
 def insist(checks: Checks) -> Checks:
