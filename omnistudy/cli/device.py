@@ -182,14 +182,20 @@ def calibrate(
 
     With --force it pushes: a stick with our firmware takes steps of PWM against a load cell or a
     spring scale, and what is read becomes newtons a step, with their uncertainty and a dead band.
+    A bought force-feedback stick pushes for three seconds at a time, and you type what was read.
 
     Example: omnistudy device calibrate gamepad --dry-run
 
     Example: omnistudy device calibrate serial_stick --force --instrument 'load cell, ±0.02 N'
     """
     from omnistudy.cli.device_calibrate import find_ranges
+    from omnistudy.cli.device_chosen import is_bought
     from omnistudy.cli.device_force import ForceOptions, measure_forces
+    from omnistudy.cli.device_push import measure_pushes
 
+    if force and is_bought(device):
+        measure_pushes(device, page or device, levels, instrument, replace, dry_run, json)
+        return
     if force:
         options = ForceOptions(instrument, who, greatest, levels, readings)
         name = page or ("stick" if "/" in device else device)

@@ -36,6 +36,14 @@ def hardware_of(given: str | None, verb: str) -> Handheld:
     return device
 
 
+def is_bought(given: str) -> bool:
+    """Tell whether a page is that of a gamepad, a bought stick or the like; raises UnknownPart."""
+    from omnistudy.devices.handheld.handheld import Handheld
+    from omnistudy.session.parts import part
+
+    return "/" not in given and isinstance(part("device", given), Handheld)
+
+
 @contextmanager
 def stick_line(port: str) -> Iterator[StickLine]:
     """Open the line to a stick with our firmware; "" is the only port there is."""

@@ -133,3 +133,24 @@ class NotAtRest(OmnistudyError):
             f"the device did not come to rest within {seconds:g} s: let go of it, and calibrate it "
             "if it strays (`omnistudy device calibrate`)"
         )
+
+
+class NoMotors(OmnistudyError):
+    """A device whose force is to be measured, and that renders none."""
+
+    def __init__(self, device: str) -> None:
+        super().__init__(
+            f"device '{device}' pushes along no axis: take a force-feedback stick, and give an "
+            "'sdl_stick' its 'strength'"
+        )
+
+
+class NoForceFelt(OmnistudyError):
+    """Readings that do not grow with the pushes."""
+
+    def __init__(self, full: float, half_width: float) -> None:
+        super().__init__(
+            f"the readings do not grow with the pushes (a full one is {full:.3g} ± "
+            f"{half_width:.2g} N): is the stick's power on, and does the instrument hold "
+            "the handle?"
+        )

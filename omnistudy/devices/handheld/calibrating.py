@@ -61,10 +61,13 @@ def calibrate(device: Handheld, lead: Lead) -> Calibration:
 
 def page_of(calibration: Calibration, page: str) -> str:
     """Give the YAML page of a calibrated device; `page` names the one it started from."""
-    device = calibration.device
+    return page_text(calibration.device, f"{page}, calibrated {calibration.device.calibrated}")
+
+
+def page_text(device: Handheld, summary: str) -> str:
+    """Give a device as a YAML page that says what was given or found, and a summary."""
     tree: dict[str, Any] = device.model_dump(mode="json", exclude_unset=True)
     tree.pop("kind", None)
-    summary = f"{page}, calibrated {device.calibrated}"
     body = yaml.safe_dump(tree, sort_keys=False, allow_unicode=True)
     return f"kind: {device.kind}  # {summary}\n{body}"
 
