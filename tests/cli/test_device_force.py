@@ -85,7 +85,7 @@ def test_a_page_is_shown_and_not_written_or_asked_for_before_it_is_replaced(
     ("device", "options", "code", "said"),
     [
         ("serial_stick", (), 2, "--instrument says what was read"),
-        ("gamepad", ("--instrument", "scale"), 1, "no motors behind our firmware"),
+        ("gamepad", ("--instrument", "scale"), 1, "pushes along no axis"),
         ("emulated_stick", ("--instrument", "scale"), 1, "at no serial port"),
     ],
 )
