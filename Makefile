@@ -10,7 +10,7 @@ SYSTEM_PACKAGES := chromium ffmpeg gcc-avr avr-libc simavr libsimavr-dev libelf-
 	libsdl2-2.0-0 umockdev gir1.2-umockdev-1.0 python3-gi
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test quick bench bench-arm reference front lock system-packages
+.PHONY: help demo test quick bench bench-arm bench-stick reference front lock system-packages
 
 help:  ## Say what can be made
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):[^#]*## /\1\t/' | expand -t 18
@@ -36,6 +36,9 @@ bench: $(INSTALLED)  ## Measure speed and memory; prints JSON
 
 bench-arm: $(INSTALLED)  ## Measure the arm's controllers: success over random tasks, doors, a step's time
 	@$(BIN)/python benchmarks/arm.py
+
+bench-stick: $(INSTALLED)  ## Measure the stick: firmware's latency and cycles, largest stiffness, live jitter, page
+	@$(BIN)/python benchmarks/stick.py
 
 reference: $(INSTALLED)  ## Renew docs/reference from the commands' help and the models
 	$(BIN)/python docs/make_reference.py

@@ -91,19 +91,26 @@ def in_this_process() -> dict[str, object]:
             result = run_trial(coupling, pace, stick)
         stick.close_trial()
         told = {measure.name: measure.value for measure in stick.measures(1)}
-        felt = [_order_to_motors(stick, index) for index in range(FIELDS)]
-    lateness = {name: told[f"turn_lateness_{name}"] for name in ("p50", "p99", "max")}
-    return {
-        "trial": f"{result.status}, {len(result.samples)} samples",
-        "turn_lateness_ms": {name: round(value * 1e3, 2) for name, value in lateness.items()},
-        "turns": told["device_turns"],
-        "late_turns": told["late_turns"],
+        well = not stick.trouble()
+        felt = [_order_to_motors(stick, index) for index in range(FIELDS)] if well else []
+    figures: dict[str, object] = {
+        "trial": f"{result.status} {result.reason}".strip(),
+        "turns": told.get("device_turns", 0.0),
+        "late_turns": told.get("late_turns", 0.0),
         "late_steps": pace.late,
         "late_fields": told["late_fields"],
         "frames_lost": told["dropped_frames"] + told["damaged_frames"],
-        "stick_to_new_field_ms": spread(stick.ages),
-        "new_field_to_motors_told_ms": spread(felt),
     }
+    if "turn_lateness_p50" in told:
+        lateness = {name: told[f"turn_lateness_{name}"] for name in ("p50", "p99", "max")}
+        figures["turn_lateness_ms"] = {
+            name: round(value * 1e3, 2) for name, value in lateness.items()
+        }
+    if stick.ages:
+        figures["stick_to_new_field_ms"] = spread(stick.ages)
+    if felt:
+        figures["new_field_to_motors_told_ms"] = spread(felt)
+    return figures
 
 
 def _order_to_motors(stick: RemoteDevice, index: int) -> float:
