@@ -162,6 +162,23 @@ def test_nothing_is_written_of_a_calibration_that_failed(
     assert not list(tmp_path.iterdir())
 
 
+@in_a_child
+def test_a_device_that_goes_away_meanwhile_is_said_to(
+    tmp_path: Path, quick: Callable[[Path], None]
+) -> None:
+    quick(tmp_path)
+    there = VirtualJoystick("Pad", gamepad=True)
+
+    def hands() -> Iterator[None]:
+        yield
+        there.unplug()
+        yield
+
+    said = omnistudy("device", "calibrate", "gamepad", hands=hands())
+    assert said.status == 1
+    assert "'Pad' was unplugged: plug it in and begin again" in said.err
+
+
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
