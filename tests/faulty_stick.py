@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cached_property
 from math import inf
 from pathlib import Path
 from typing import Any, Literal
 
-from omnistudy.devices import DeviceState, Hand, RunningDevice
+from omnistudy.channel import Measure
+from omnistudy.devices import DeviceState, Hand, Identity, RunningDevice
 from omnistudy.devices.emulated_stick import EmulatedStickDevice
 from omnistudy.devices.emulated_stick_in_motion import EmulatedStickInMotion
+from omnistudy.devices.stick.attendant import Attendant
+from omnistudy.devices.stick.before_force import checked
 from omnistudy.devices.stick.emulator import EmulatedStick
 from omnistudy.devices.stick.line import StickLine
 from omnistudy.devices.stick.transport import Transport
@@ -30,6 +34,8 @@ FAULTS = (
 """Every fault is of x, where it is of an axis."""
 
 
+SOFT_BY_ITSELF = 0.31
+"""s of silence after which a stick has no force."""
 TICKS_OF_A_TRIAL = 300
 """Before the next fault of the file happens."""
 
@@ -41,6 +47,7 @@ class FaultyLine:
         self.board = board
         self.cut = False
         self.kept_of_ten = 10
+        self.last_duties: tuple[int, ...] = ()
         self._ahead = 0.0
         self._begun = b""
         self._frames = 0
@@ -73,6 +80,8 @@ class FaultyLine:
         return self.board.now() + self._ahead
 
     def close(self) -> None:
+        self.board.run(SOFT_BY_ITSELF)
+        self.last_duties = self.board.duties
         self.board.close()
 
 
@@ -103,11 +112,14 @@ class FaultyStickInMotion(EmulatedStickInMotion):
                     self.control.write_text(rest)
                 self.after = inf
                 self.inject(fault)
-        state = super().advance(hand)
-        if self.control is not None and self.trouble():
-            duties = self.line.board.duties
-            self.control.with_suffix(".duties").write_text(" ".join(map(str, duties)))
-        return state
+        return super().advance(hand)
+
+    def close(self) -> None:
+        """Let the board live on for a moment, as a real one does; note what its motors then do."""
+        super().close()
+        if self.control is not None:
+            with self.control.with_suffix(".duties").open("a") as file:
+                print(*self.line.last_duties, file=file)
 
     def inject(self, fault: str) -> None:
         """Let a fault happen now."""
@@ -157,6 +169,23 @@ class FaultyStick(EmulatedStickDevice):
 
     kind: Literal["faulty_stick"] = "faulty_stick"  # type: ignore[assignment]
     control: Path | None = None
+    broken_before: str = ""
+    """Fault that the stick has when it is checked."""
+
+    def before_force(
+        self, tell: Callable[[str], None], expected: Identity | None = None
+    ) -> tuple[Measure, ...]:
+        running = FaultyStickInMotion(self, 1000)
+        running.board.release()
+        if self.broken_before:
+            running.inject(self.broken_before)
+        attendant = Attendant(running.board)
+
+        def told(sentence: str) -> None:
+            tell(sentence)
+            attendant(sentence)
+
+        return checked(running.line, self.stick, told, expected)
 
     def connect(self, physics_hz: int) -> RunningDevice:
         running = FaultyStickInMotion(self, physics_hz)
