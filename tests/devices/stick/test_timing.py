@@ -121,3 +121,19 @@ def test_more_edges_than_the_processor_can_count_turn_the_force_off(bench: Bench
     assert faults & (Fault.OVERRUN | Fault.WATCHDOG)
     assert bench.board.duties == (0,) * 6
     assert not bench.board.enabled
+
+
+def test_ticks_that_are_missed_are_counted_and_time_goes_on(bench: Bench) -> None:
+    for axis in range(3):
+        bench.board.turn(axis, -2000, 30_000)
+    bench.line.listen(0.1)
+    bench.bare(travel=(2047, 2047, 2047), velocity_trip=(8191, 8191, 8191))
+    before, began = bench.line.listen(0.002)[-1], bench.board.now()
+    bench.settle(field(wrench=(100, 100, 100)))
+    for axis in range(3):
+        bench.board.turn(axis, 2000, 50_000)  # a little more than the processor can count
+    heard = bench.line.listen(0.15)
+    last = heard[-1]
+    gaps = sum(later.tick - earlier.tick - 1 for earlier, later in pairwise(heard))
+    assert 0 < last.missed == gaps
+    assert last.tick - before.tick == round((bench.board.now() - began) * TICK_HZ)
