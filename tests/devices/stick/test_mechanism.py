@@ -82,6 +82,15 @@ def test_an_encoder_is_sound_frozen_or_turned_round(
     assert last.position[0] == counted
 
 
+def test_an_encoder_that_freezes_stays_where_it_is(plain: Bench) -> None:
+    plain.board.release()
+    plain.board.set(0, "position", 0.002)
+    plain.line.listen(0.02)
+    plain.board.set(0, "encoder", 0.0)
+    plain.board.set(0, "position", 0.004)
+    assert plain.line.listen(0.02)[-1].position[0] == 20
+
+
 @pytest.mark.parametrize(
     ("state", "band", "force"),
     [(1.0, 0.0, 5.0), (0.0, 0.0, 0.0), (-1.0, 0.0, -5.0), (1.0, 30, 3.5)],
@@ -99,7 +108,7 @@ def test_a_motor_pushes_on_a_load_cell(
     assert plain.board.cell_force(0) == pytest.approx(force, abs=0.01)
 
 
-def test_without_the_enable_line_a_motor_pushes_nothing(plain: Bench) -> None:
+def test_a_stick_that_is_disarmed_pushes_nothing(plain: Bench) -> None:
     plain.board.clamp(0)
     plain.board.release()
     plain.bare()
