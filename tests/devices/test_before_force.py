@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import pytest
+from stick_bench import Bench
 
 from omnistudy.devices import Identity
 from omnistudy.devices.direct import DirectDevice
 from omnistudy.devices.emulated_stick import EmulatedStickDevice
+from omnistudy.devices.simulated_stick import SimulatedStick
+from omnistudy.devices.stick.attendant import Attendant
+from omnistudy.devices.stick.before_force import DRIFTED, checked
 from omnistudy.devices.stick.checks import LET_GO, PRESS_STOP
 from omnistudy.errors.stick_checks import ChecksFailed
 
@@ -31,3 +35,23 @@ def test_another_stick_than_before_is_refused() -> None:
 
 def test_a_device_without_force_has_nothing_to_check() -> None:
     assert DirectDevice().before_force(pytest.fail) == ()
+
+
+@pytest.mark.usefixtures("toolchain")
+def test_a_zero_that_drifted_is_told_when_something_was_driven(bench: Bench) -> None:
+    bench.board.release()
+    for _ in range(8):
+        bench.board.jump(0)
+        bench.board.run(0.1)
+    who = bench.line.identify()
+    before = Identity("serial_stick", str(who.serial), f"{who.firmware:08x}")
+    told: list[str] = []
+    attendant = Attendant(bench.board)
+
+    def tell(sentence: str) -> None:
+        told.append(sentence)
+        attendant(sentence)
+
+    measures = checked(bench.board, SimulatedStick(), tell, before)
+    assert told[-1] == DRIFTED
+    assert abs({one.name: one.value for one in measures}["zero_shift_x"]) == 16

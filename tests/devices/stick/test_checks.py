@@ -5,7 +5,6 @@ from __future__ import annotations
 import pytest
 from stick_bench import Bench
 
-
 from omnistudy.devices.stick.attendant import Attendant
 from omnistudy.devices.stick.checks import (
     HOLD_SWITCH,

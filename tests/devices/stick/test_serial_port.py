@@ -92,3 +92,12 @@ def test_a_mute_line_is_not_waited_for_for_ever() -> None:
         check_stick(StickLine(Mute()))
     with pytest.raises(NoAnswer, match="did not answer 'hello' within 1 s"):
         StickLine(Mute()).identify()
+
+
+def test_a_port_that_takes_nothing_stops_nobody(bench: Bench) -> None:
+    terminal = PseudoTerminal(bench.board)
+    port = SerialPort(terminal.path)
+    with pytest.raises(PortLost):
+        port.write(bytes(1 << 20))  # more than any terminal holds, and nobody carries it on
+    port.close()
+    terminal.close()
