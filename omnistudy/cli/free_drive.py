@@ -71,7 +71,7 @@ def free(
     Starts the device, the simulation, the recorder and both pages, and ends them with the drive.
     Ctrl-C, or stop on a page, ends it. What was driven is kept as a small study of one trial.
 
-    Example: omnistudy drive primitive_a --device emulated_stick --hand virtual --no-open
+    Example: omnistudy drive free primitive_a --device emulated_stick --hand virtual
     """
     from datetime import datetime
 
