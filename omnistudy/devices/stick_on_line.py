@@ -235,16 +235,19 @@ class StickOnLine(RunningDevice):
         return state, values(told, force, self._energy.energy)
 
     def _judge(self, line: StickLine, heard: list[Telemetry]) -> None:
-        if self._trouble:
-            return
+        if not self._trouble:
+            self._watch_over(line, heard)
+        if self._trouble and not self._soft:
+            # Again with every look until it is soft: a frame may have been lost.
+            self._send(line, Disarm())
+
+    def _watch_over(self, line: StickLine, heard: list[Telemetry]) -> None:
         asked = self._watch.asks
         trouble = self._watch.look(heard, line.transport.now())
         for identity in line.met():
             trouble = trouble or self._watch.meet(identity)
-        if trouble:
-            self._trouble = trouble
-            self._send(line, Disarm())
-        elif self._watch.asks and not asked:
+        self._trouble = trouble
+        if self._watch.asks and not asked:
             self._send(line, Hello())
 
     def _damped(self, field: ForceField, added: AddedDamping, now: float) -> ForceField:

@@ -169,6 +169,22 @@ def test_nothing_is_sent_and_nothing_driven_after_trouble(drive: Drive) -> None:
     assert drive.stick.board.greatest_duty() == 0
 
 
+def test_no_field_goes_out_any_more_after_trouble(drive: Drive) -> None:
+    drive.stick.inject("estop")
+    drive.on(0.1)
+    written = drive.stick.line.written
+    drive.stick.render(ForceField(PlanarWrench(10.0, 0.0, 0.0)))
+    assert drive.stick.line.written == written
+
+
+def test_a_lost_disarming_is_sent_again(drive: Drive) -> None:
+    drive.stick.inject("frozen_encoder")
+    drive.stick.line.swallowed = 3
+    drive.on(2.0)
+    assert "stands still" in drive.stick.trouble()
+    assert is_soft(drive.stick)
+
+
 def test_every_tick_is_told_as_a_row(drive: Drive) -> None:
     names = [axis.name for axis in drive.stick.axes]
     columns = [*names, *(f"{n}_rate" for n in names), *(c.name for c in drive.stick.channels)]
