@@ -31,7 +31,9 @@ class DriveParts(NamedTuple):
     """What is to be coupled, each part by the name of its page.
 
     route : "" is no route for a person, who drives as it pleases, and the world's first for the
-        virtual driver. hand : who holds the device. minutes : after which a drive without a route ends.
+        virtual driver.
+    hand : who holds the device.
+    minutes : after which a drive without a route ends.
     """
 
     world: str

@@ -12,12 +12,15 @@ from typing import Self
 from sqlalchemy import func, select
 
 from omnistudy.channel import Ring
+from omnistudy.errors.store import RecorderFailed
 from omnistudy.store.connection import in_plain_words, reading_engine
 from omnistudy.store.row_writer import StreamHead, write_rows
 from omnistudy.store.tables import ChunkRow, StreamRow
 
 PATIENCE_S = 10.0
 """How long what waits in the ring may take into the study at a trial's end (ours)."""
+STARTING_S = 60.0
+"""How long the first process may take to start on a busy machine (ours)."""
 MOST_DEATHS = 5
 """Recorders that may die before no other is started: the disk may be full (ours)."""
 
@@ -30,9 +33,13 @@ class Recorder:
     """
 
     def __init__(self, study: Path, ring: Path, head: StreamHead) -> None:
-        """Start the process; the study must be open to write in this one."""
+        """Start the process and wait until it looks into the ring.
+
+        The study must be open to write in this process. Raises RecorderFailed.
+        """
         self._study = study
-        self._arguments = (study, ring, head)
+        self._ready = get_context("spawn").Event()
+        self._arguments = (study, ring, head, self._ready)
         self._head = head
         self._ring = Ring(ring)
         self._closing = False
@@ -40,6 +47,9 @@ class Recorder:
         self._process = self._started()
         self._watch = Thread(target=self._follow, daemon=True)
         self._watch.start()
+        if not self._ready.wait(STARTING_S):
+            self.close()
+            raise RecorderFailed(study)
 
     @property
     def process_id(self) -> int:

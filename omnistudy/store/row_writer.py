@@ -6,6 +6,7 @@ import os
 import signal
 import threading
 import time
+from multiprocessing.synchronize import Event
 from pathlib import Path
 from typing import NamedTuple
 
@@ -105,10 +106,10 @@ class RowWriter:
         self._next = 0 if last is None else round(last.t0 * head.rate_hz) + last.rows
 
 
-def write_rows(study: Path, ring: Path, head: StreamHead) -> None:
+def write_rows(study: Path, ring: Path, head: StreamHead, ready: Event) -> None:
     """Write rows until this process is told to end or its parent is gone, and all that waits then.
 
-    Raises StoreFull, StudyBusy, NotWritable, DatabaseDamaged.
+    ready : set once rows are looked for. Raises StoreFull, StudyBusy, NotWritable, DatabaseDamaged.
     """
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the session, which ends us
     ending = threading.Event()
@@ -118,6 +119,7 @@ def write_rows(study: Path, ring: Path, head: StreamHead) -> None:
     with in_plain_words(study), writing_engine(study).connect() as connection:
         writer = RowWriter(connection, study, rows, head)
         grown_at, written = time.monotonic(), rows.written
+        ready.set()
         while True:
             told = ending.wait(LOOK_S)
             if rows.written != written:

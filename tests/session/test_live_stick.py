@@ -10,6 +10,7 @@ import os
 import signal
 import subprocess
 import sys
+from multiprocessing import active_children
 from pathlib import Path
 
 import numpy as np
@@ -19,12 +20,15 @@ from session.live_stick import FOUR_SECONDS, drive, make_study, until
 import omnistudy
 from omnistudy.devices.stick.toolchain import missing_packages
 from omnistudy.errors.session import AlwaysVoid
+from omnistudy.session import run_trials
 from omnistudy.session.held_devices import HeldDevices
+from omnistudy.session.live import RealTime, run_live
 from omnistudy.session.run import INTERRUPTED
 from omnistudy.session.specs import trial_spec
-from omnistudy.store import StudyWriter
+from omnistudy.store import StoredTrial, StudyWriter
 from omnistudy.study.frozen import frozen_protocol
 from omnistudy.trial import resimulate
+from omnistudy.view.attendance import attended
 
 pytestmark = pytest.mark.slow
 
@@ -114,6 +118,28 @@ def test_a_killed_recorder_costs_no_row_and_is_told(short: Path) -> None:
         kinds = list(study.events(number)["kind"])
     assert "recorder" in kinds
     assert told["lost_rows"] == 0
+    assert (np.diff(ticks_of(short, number)) == 1).all()
+
+
+def test_a_killed_page_server_is_not_even_noticed(short: Path) -> None:
+    others = set(active_children())
+    with attended(short) as attendance, HeldDevices(short) as devices:
+        (server,) = set(active_children()) - others
+
+        def accompany(trial: StoredTrial) -> RealTime:
+            publisher = attendance.accompany(trial)
+            server.kill()
+            server.join()
+            return publisher
+
+        summary = run_trials(
+            short, limit=1, run=lambda ready, specs: run_live(ready, specs, accompany, devices)
+        )
+    assert not server.is_alive()
+    assert (summary.timed_out, summary.aborted) == (1, 0)
+    with omnistudy.open(short) as study:
+        trials = study.trials()
+        number = int(trials[trials["status"] == "timed_out"].iloc[0]["trial"])
     assert (np.diff(ticks_of(short, number)) == 1).all()
 
 
