@@ -96,11 +96,6 @@ def handle_scale(stick: SimulatedStick, calibration: ForceCalibration | None = N
     return HandleScale((count, count, turn), (force, force, torque))
 
 
-def stops(stick: SimulatedStick) -> Three:
-    """Give the mechanical stops of a stick, counts either way."""
-    return (round(stick.x.travel), round(stick.y.travel), round(stick.theta.travel))
-
-
 def configuration(stick: SimulatedStick) -> Configuration:
     """Give the firmware's settings for a stick described as the simulated one is."""
     axes = (stick.x, stick.y, stick.theta)
