@@ -28,9 +28,8 @@ from omnistudy.geometry import NO_FORCE, ForceField
 PATIENCE_S = 60.0
 """How long a process may take to connect its device: the emulator may have to be compiled."""
 SILENT_S = 0.25
-"""A process that reported nothing for so long is held to be stuck: no tail of a real-time process
-on a busy machine came near it (60 ms, see docs/how-to/drive.md), and the stick's own firmware takes
-the force away after as long."""
+"""A process that reported nothing for so long is held to be stuck; by then the stick's firmware,
+which heard nothing for 0.2 s, fades its force by itself (ours)."""
 ENDING_S = 5.0
 """How long a process may take to let its device go before it is killed."""
 MEMORY = Path("/dev/shm")

@@ -78,7 +78,9 @@ class StudyFile:
     def __repr__(self) -> str:
         with self.reading() as connection:
             participants = connection.scalar(select(func.count()).select_from(ParticipantRow))
-            trials = connection.scalar(select(func.count()).select_from(TrialRow))
+            trials = connection.scalar(
+                select(func.count()).select_from(TrialRow).where(TrialRow.status != "void")
+            )
             done = connection.scalar(
                 select(func.count()).select_from(TrialRow).where(TrialRow.status == "completed")
             )
