@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 import statistics
 from collections.abc import Callable, Mapping, Sequence
 
@@ -128,6 +129,8 @@ def main() -> None:
     if "not_run" in board:
         raise SystemExit(f"not run: {board['not_run']}; see `make system-packages`")
     measured = {
+        "programs_that_want_to_run": round(os.getloadavg()[0], 1),
+        "cores": os.cpu_count(),
         "board": board,
         "largest_stable_stiffness": [row._asdict() for row in table()],
         "live": live_figures(),
@@ -141,6 +144,8 @@ def main() -> None:
         for row in measured["largest_stable_stiffness"]
     ]
     print_table(("largest stable stiffness, N/m", "bare", "in a hand"), rows)
+    busy = f"{measured['programs_that_want_to_run']} programs on {measured['cores']} cores"
+    print(f"In wall time, with {busy} at the beginning:\n")
     for name, told in measured["live"].items():
         print_table((f"live, {name}", "figure"), _flat(told))
 
