@@ -6,10 +6,11 @@ VENV := .venv
 BIN := $(VENV)/bin
 INSTALLED := $(VENV)/.installed
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
-SYSTEM_PACKAGES := chromium ffmpeg gcc-avr avr-libc simavr libsimavr-dev libelf-dev
+SYSTEM_PACKAGES := chromium ffmpeg gcc-avr avr-libc simavr libsimavr-dev libelf-dev \
+	libsdl2-2.0-0 umockdev gir1.2-umockdev-1.0 python3-gi
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test quick bench bench-arm bench-view reference front lock system-packages
+.PHONY: help demo test quick bench bench-arm bench-stick bench-view reference front lock system-packages
 
 help:  ## Say what can be made
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):[^#]*## /\1\t/' | expand -t 18
@@ -38,6 +39,9 @@ bench-arm: $(INSTALLED)  ## Measure the arm's controllers: success over random t
 
 bench-view: $(INSTALLED)  ## Measure the replay page: how soon it opens, how evenly it plays; prints JSON
 	@$(BIN)/python benchmarks/view.py
+
+bench-stick: $(INSTALLED)  ## Measure the stick: firmware's latency and cycles, largest stiffness, live jitter, page
+	@$(BIN)/python benchmarks/stick.py
 
 reference: $(INSTALLED)  ## Renew docs/reference from the commands' help and the models
 	$(BIN)/python docs/make_reference.py

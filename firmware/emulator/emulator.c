@@ -234,14 +234,19 @@ void emulator_brown_out(struct emulator *emulator)
     keep_going(emulator);
 }
 
+static void jump_to_itself(uint8_t *instruction, uint8_t *healthy)
+{
+    memcpy(healthy, instruction, 2);
+    instruction[0] = 0xFF; /* rjmp .-2 */
+    instruction[1] = 0xCF;
+}
+
 void emulator_hang(struct emulator *emulator, bool interrupts)
 {
     avr_t *avr = emulator->avr;
 
     emulator->hung_at = avr->pc;
-    memcpy(emulator->healthy, &avr->flash[avr->pc], 2);
-    avr->flash[avr->pc] = 0xFF; /* rjmp .-2 */
-    avr->flash[avr->pc + 1] = 0xCF;
+    jump_to_itself(&avr->flash[avr->pc], emulator->healthy);
     avr->sreg[S_I] = interrupts;
     /* The real watchdog resets at its second bite when nobody took the first as an interrupt;
      * simavr's does so only once the interrupt is off. */
@@ -249,9 +254,18 @@ void emulator_hang(struct emulator *emulator, bool interrupts)
         avr->data[WDTCSR_ADDRESS] &= ~WATCHDOG_INTERRUPT;
 }
 
+void emulator_hang_at_start(struct emulator *emulator)
+{
+    jump_to_itself(emulator->avr->flash, emulator->healthy_start);
+    emulator->start_hangs = true;
+}
+
 void emulator_heal(struct emulator *emulator)
 {
     memcpy(&emulator->avr->flash[emulator->hung_at], emulator->healthy, 2);
+    if (emulator->start_hangs)
+        memcpy(emulator->avr->flash, emulator->healthy_start, 2);
+    emulator->start_hangs = false;
 }
 
 void emulator_eeprom(struct emulator *emulator, uint16_t address, uint8_t *bytes, uint16_t length,

@@ -16,6 +16,7 @@ struct axis {
     double weight, lever;           /* N and m: the handle topples with weight sin(position/lever) */
     double per_count, per_duty;     /* m a count, N a PWM step */
     double travel;                  /* m, to the stop */
+    double dead_band;               /* PWM steps that no force comes of */
     double hand_stiffness, hand_damping, hand_mass, hand_reference;
     double motor;                   /* 1 sound, 0 dead, -1 turned round */
     double encoder;                 /* 1 sound, 0 frozen, -1 turned round */
@@ -71,6 +72,9 @@ void emulator_brown_out(struct emulator *emulator);
 
 /* Let the program jump for ever to where it is, with interrupts or without; then put it right. */
 void emulator_hang(struct emulator *emulator, bool interrupts);
+
+/* Let it hang at its very start too, until it is put right. */
+void emulator_hang_at_start(struct emulator *emulator);
 void emulator_heal(struct emulator *emulator);
 
 void emulator_eeprom(struct emulator *emulator, uint16_t address, uint8_t *bytes, uint16_t length, bool write);

@@ -41,7 +41,8 @@ struct emulator {
     int greatest;
     uint32_t overlaps;
     uint32_t hung_at;
-    uint8_t healthy[2];
+    uint8_t healthy[2], healthy_start[2];
+    bool start_hangs;
 };
 
 /* Drive a pin of the board with a wire. */

@@ -4,7 +4,8 @@
 
 void axis_step(struct axis *axis, double duty, double seconds)
 {
-    double force = duty * axis->per_duty * axis->motor;
+    double felt = fmax(0.0, fabs(duty) - axis->dead_band);
+    double force = copysign(felt, duty) * axis->per_duty * axis->motor;
     double mass = axis->mass + axis->hand_mass;
 
     force -= (axis->damping + axis->hand_damping) * axis->rate;

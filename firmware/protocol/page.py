@@ -15,6 +15,8 @@ def page(protocol: Protocol) -> str:
         "",
         f"Version {raw['version']}. {_line(raw['line'])}",
         "",
+        "What bounds the force, and what each fault does: [safety](safety.md).",
+        "",
         "## A frame",
         "",
         "    COBS( code, sequence, payload, CRC high, CRC low ), 0x00",

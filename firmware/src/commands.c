@@ -8,7 +8,7 @@
 #include "stick.h"
 #include "uart.h"
 
-#define KEPT_FOR_TELEMETRY 128 /* bytes of the line's buffer */
+#define KEPT_FOR_TELEMETRY 64 /* bytes of the line's buffer: a frame, and half of one */
 
 #ifndef FIRMWARE_HASH
 #error "FIRMWARE_HASH is given by the Makefile"
@@ -22,7 +22,7 @@ static uint8_t save_sequence;
 /* However much a host asks, telemetry goes on: what finds the line full is not sent. */
 static void reply(uint8_t code, const void *payload, uint8_t length)
 {
-    if (uart_room() > KEPT_FOR_TELEMETRY)
+    if (uart_room() > KEPT_FOR_TELEMETRY + FRAMING + length)
         frame_send(code, payload, length);
 }
 

@@ -64,6 +64,7 @@ void frame_spoil(void)
 }
 
 _Static_assert(HEAD + LONGEST_PAYLOAD + TAIL < 254, "one COBS block holds a frame without zeros");
+_Static_assert(FRAMING == HEAD + TAIL + 2, "and a code before it and a zero behind it");
 
 /* Writes COBS as it goes: each code is filled in when its run of bytes ends. */
 struct stuffing {
@@ -91,7 +92,7 @@ bool frame_send(uint8_t code, const void *payload, uint8_t size)
     struct stuffing stuffing = { 0, 1, CRC_START };
     uint16_t crc;
 
-    if (uart_room() < HEAD + size + TAIL + 2)
+    if (uart_room() < FRAMING + size)
         return false;
     stuffing.code_at = uart_write(0);
     stuff(&stuffing, code);

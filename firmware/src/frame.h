@@ -14,6 +14,8 @@ struct frame {
     uint8_t payload[LONGEST_PAYLOAD + 2];
 };
 
+#define FRAMING 6 /* bytes of a frame besides its payload, in a block without zeros */
+
 enum reception { RECEPTION_NONE, RECEPTION_FRAME, RECEPTION_DAMAGED };
 
 /* Take one byte; a frame, when one is whole, is in `frame` until the next byte. */

@@ -13,7 +13,7 @@ from omnistudy.analysis.event_counts import EventCount, count_events
 from omnistudy.analysis.outcomes import Outcomes, by_condition, collisions, completion_times
 from omnistudy.analysis.pairs import pair
 from omnistudy.analysis.statistics_utah2017 import best_participant, worst_participant
-from omnistudy.analysis.tables import StudyTables
+from omnistudy.analysis.tables import Exclusion, StudyTables
 from omnistudy.analysis.utah2017 import (
     AVERAGES,
     CONDITIONS,
@@ -74,6 +74,7 @@ class Report:
     worst: Subject | None
     comparison: tuple[ComparisonRow, ...]
     arm_stiffness: ArmStiffnessCurve | None
+    exclusions: tuple[Exclusion, ...]
 
 
 def analyse(tables: StudyTables, arm_study: StudyTables | None = None) -> Report:
@@ -102,6 +103,7 @@ def analyse(tables: StudyTables, arm_study: StudyTables | None = None) -> Report
         worst=worst,
         comparison=compare(tables, arm_study, COLLISIONS) if published else (),
         arm_stiffness=arm_stiffness_curve(arm_study, COLLISIONS) if arm_study else None,
+        exclusions=tables.exclusions,
     )
 
 

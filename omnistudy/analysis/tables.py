@@ -4,10 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import pandas as pd
 
 from omnistudy.worlds import World
+
+
+class Exclusion(NamedTuple):
+    """An attempt that is left out, and why: a measure of it is above the protocol's limit."""
+
+    trial: int
+    measure: str
+    value: float
+    greatest: float
+    unit: str
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -24,6 +35,7 @@ class StudyTables:
     samples : gives the `sample` rows (SAMPLE_COLUMNS) of a trial's number.
     world : where all trials were driven, None when there are several or none is known.
     factors : names of the factor columns of `trials`.
+    exclusions : attempts that are not among `trials`, with the reason.
     """
 
     name: str
@@ -39,3 +51,4 @@ class StudyTables:
     samples: Callable[[int], pd.DataFrame]
     world: World | None = None
     factors: tuple[str, ...] = ()
+    exclusions: tuple[Exclusion, ...] = ()

@@ -14,3 +14,14 @@ class Channel(NamedTuple):
     unit: str
     description: str
     resolution: float = 0.0
+
+
+def with_rates(axes: tuple[Channel, ...]) -> tuple[Channel, ...]:
+    """Give the channels of position axes, then those of their rates."""
+    rates = (
+        Channel(
+            f"{axis.name}_rate", f"{axis.unit}/s", f"rate of: {axis.description}", axis.resolution
+        )
+        for axis in axes
+    )
+    return (*axes, *rates)

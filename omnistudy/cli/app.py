@@ -50,7 +50,7 @@ NOUNS = {
     "operator": Noun("Who drives: the virtual driver, a recording."),
     "order": Noun("Orders: who meets which condition when."),
     "survey": Noun("Instruments: what people are asked."),
-    "drive": Noun("Drive through worlds without a study: recordings, the virtual driver."),
+    "drive": Noun("Drive without a study: freely and live, recordings, the virtual driver."),
     "sweep": Noun("Many virtual studies that differ in a few settings."),
     "view": Noun("A study's pages in the browser.", True),
     "replay": Noun("A stored trial seen again: a page, pictures, a video.", True),

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from omnistudy.cli.arguments import AsJson, Workers
+from omnistudy.cli.free_drive import DEFAULT_VERB, WorldOrVerb, free
 from omnistudy.cli.output import print_json, print_line, print_table, progress
 
 if TYPE_CHECKING:
@@ -15,7 +16,8 @@ if TYPE_CHECKING:
     from omnistudy.session.replay import Replay
     from omnistudy.worlds import World
 
-app = typer.Typer(no_args_is_help=True)
+app = typer.Typer(no_args_is_help=True, cls=WorldOrVerb)
+app.command(name=DEFAULT_VERB)(free)
 
 FOLLOWED = 0.8
 """A robot that drove less than this share of what was asked did not follow its commands."""

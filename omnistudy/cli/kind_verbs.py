@@ -2,7 +2,7 @@
 
 # No postponed annotations here: typer must see the completion of each noun, a local value.
 from collections.abc import Callable, Sequence
-from typing import Annotated, Any
+from typing import Annotated, Any, NamedTuple
 
 import typer
 
@@ -14,6 +14,19 @@ Recorded = tuple[str, str, str]
 
 Channels = Callable[[Any], Sequence[Recorded]]
 """From an object of a kind to what it records."""
+
+
+class Present(NamedTuple):
+    """Things of a noun that are here now, as a list shows them below its pages.
+
+    key : in JSON. remarks : one sentence each, below the table.
+    """
+
+    title: str
+    key: str
+    columns: Sequence[str]
+    rows: Sequence[Sequence[str]]
+    remarks: Sequence[str]
 
 
 def kinds_of(group: str) -> Callable[[], list[str]]:
@@ -39,18 +52,24 @@ def names_of(group: str) -> Callable[[], list[str]]:
 
 
 def add_list_and_show(
-    app: typer.Typer, noun: str, example: str, channels: Channels | None = None
+    app: typer.Typer,
+    noun: str,
+    example: str,
+    channels: Channels | None = None,
+    present: Callable[[], Present] | None = None,
 ) -> None:
     """Give a noun its two verbs.
 
     noun : "law"; its kinds are the group "laws", its pages stand in the folder `law`.
     example : what the help shows.
     channels : what an object of this group records, where it records anything.
+    present : what is here now, where such things can be plugged in.
     """
     group = f"{noun}s"
+    here = ", and what is plugged in" if present else ""
 
     def list_(json: AsJson = False) -> None:
-        _list(group, json)
+        _list(group, json, present)
 
     def show(
         name: Annotated[
@@ -67,7 +86,7 @@ def add_list_and_show(
     app.command(
         "list",
         help=f"List the kinds of {group}, also installed packages', and the pages of your lab "
-        f"and ours.\n\nExample: omnistudy {noun} list",
+        f"and ours{here}.\n\nExample: omnistudy {noun} list",
     )(list_)
     app.command(
         "show",
@@ -76,26 +95,35 @@ def add_list_and_show(
     )(show)
 
 
-def _list(group: str, json: bool) -> None:
+def _list(group: str, json: bool, present: Callable[[], Present] | None) -> None:
     from omnistudy.registry.catalogue import entries, pages
 
     kinds, listed = entries(group), pages(group)
+    here = present() if present else None
     if json:
-        print_json(
-            {
-                "kinds": [entry._asdict() for entry in kinds],
-                "pages": [
-                    {"name": page.name, "kind": page.kind, "summary": page.summary,
-                     "file": page.file}
-                    for page in listed
-                ],
-            }
-        )  # fmt: skip
+        shown: dict[str, Any] = {
+            "kinds": [entry._asdict() for entry in kinds],
+            "pages": [
+                {"name": page.name, "kind": page.kind, "summary": page.summary, "file": page.file}
+                for page in listed
+            ],
+        }
+        if here is not None:
+            found = [dict(zip(here.columns, row, strict=True)) for row in here.rows]
+            shown |= {here.key: found, "remarks": here.remarks}
+        print_json(shown)
         return
     print_table(f"Kinds of {group}", ("kind", "what it is", "from"), kinds)
     if listed:
         rows = [(page.name, page.kind, page.summary or None, page.file) for page in listed]
         print_table("Pages", ("name", "kind", "what it says", "file"), rows)
+    if here is not None:
+        if here.rows:
+            print_table(here.title, here.columns, here.rows)
+        else:
+            print_line(f"{here.title}: nothing")
+        for remark in here.remarks:
+            print_line(remark)
 
 
 def _show(group: str, name: str, json: bool, channels: Channels | None) -> None:

@@ -118,7 +118,17 @@ def run(
         print_line(f"{waiting} trials would run")
         return
     if live:
-        summary = run_with_pages(path, waiting, codes, trials, protocol, open_browser)
+        from omnistudy.cli.live_run import run_with_pages
+
+        with progress(f"running {path.stem}", waiting) as advance:
+            summary = run_with_pages(
+                path,
+                participants=codes,
+                limit=trials,
+                protocol=protocol,
+                open_browser=open_browser,
+                finished=advance,
+            )
     else:
         summary = run_with_progress(path, waiting, codes, trials, workers, protocol)
     if json:
@@ -126,7 +136,7 @@ def run(
         return
     print_line(
         f"{summary.completed} trials completed, {summary.timed_out} timed out, "
-        f"{summary.aborted} aborted; {summary.remaining} still planned"
+        f"{summary.void} void, {summary.aborted} aborted; {summary.remaining} still planned"
     )
 
 
@@ -140,39 +150,6 @@ def count_waiting(path: Path, participants: tuple[str, ...], limit: int | None) 
     if participants:
         waiting = waiting[waiting["participant"].isin(participants)]
     return len(waiting) if limit is None else min(limit, len(waiting))
-
-
-def run_with_pages(
-    path: Path,
-    waiting: int,
-    participants: tuple[str, ...],
-    limit: int | None,
-    protocol: str | None,
-    open_browser: bool,
-) -> RunSummary:
-    """Run the planned trials at the wall clock's pace, with the participant's and own pages."""
-    import sys
-    import webbrowser
-
-    from omnistudy.protocol.compose import compose_protocol
-    from omnistudy.session import run_trials
-    from omnistudy.session.live import run_live
-    from omnistudy.view.attendance import attended
-
-    with attended(path) as attendance, progress(f"running {path.stem}", waiting) as advance:
-        for page in ("participant", "monitor"):
-            address = attendance.address.replace("/?", f"/{page}?")
-            print(f"{page}: {address}", file=sys.stderr, flush=True)
-            if open_browser:
-                webbrowser.open(address)
-        return run_trials(
-            path,
-            participants=participants,
-            limit=limit,
-            protocol=compose_protocol(protocol) if protocol else None,
-            run=lambda ready, specs: run_live(ready, specs, attendance.accompany),
-            finished=lambda trial, result: advance(),
-        )
 
 
 def run_with_progress(

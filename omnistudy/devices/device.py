@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import ClassVar, NamedTuple, Self
+from typing import ClassVar, Literal, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from omnistudy.channel import Channel
+from omnistudy.channel import Channel, Measure
 from omnistudy.geometry import ForceField
 from omnistudy.registry import KindModel
 
@@ -39,6 +39,10 @@ class Hand(NamedTuple):
     mass: tuple[float, ...]
 
 
+NO_HAND = Hand((), (), (), ())
+"""Nobody whom we could move: a real hand holds the device, or none. It fits every device."""
+
+
 class Identity(NamedTuple):
     """Which piece of hardware it is, as far as it tells; "" where it does not.
 
@@ -49,6 +53,25 @@ class Identity(NamedTuple):
     serial: str = ""
     firmware: str = ""
     calibration: str = ""
+
+
+class Health(NamedTuple):
+    """How well a device was heard since it was connected; counts, none of which ever falls.
+
+    ticks : of the device that were heard. missed : known to be lost on the way.
+    damaged : frames that could not be read.
+    saturated : ticks at which an axis pushed with all it has, one number an axis.
+    """
+
+    ticks: int = 0
+    missed: int = 0
+    damaged: int = 0
+    saturated: tuple[int, ...] = ()
+
+
+Wrench = Literal["none", "commanded", "clipped", "measured"]
+"""What a device's recorded force is: none, what was asked of its motors, that after all limits, or
+what a sensor felt."""
 
 
 class Device(KindModel, ABC):
@@ -64,9 +87,24 @@ class Device(KindModel, ABC):
         """Give the device as it is reached while a study runs; most are reached everywhere."""
         return self
 
+    def before_force(
+        self, tell: Callable[[str], None], expected: Identity | None = None
+    ) -> tuple[Measure, ...]:
+        """Have somebody at the device check what must be sound before it pushes; give the findings.
+
+        Done before a session and after each trouble, while the device is not connected. A device
+        that needs no such checks finds nothing.
+        tell : shows a sentence to whoever is there. expected : which device it was before.
+        Raises what forbids force.
+        """
+        return ()
+
     @abstractmethod
     def connect(self, physics_hz: int) -> RunningDevice:
-        """Give the device at rest in its centre; it is advanced `physics_hz` times a second."""
+        """Give the device at rest in its centre; it is advanced `physics_hz` times a second.
+
+        No hardware is touched before it is first advanced, so that anything can be described.
+        """
 
     def own_force(
         self, position: NDArray[np.float64], rate: NDArray[np.float64]
@@ -94,6 +132,9 @@ class RunningDevice(ABC):
     forces: tuple[bool, ...] = ()
     """Whether it can push along each axis; data of an axis that cannot say so."""
 
+    wrench: Wrench = "none"
+    """What the force among its `channels` is."""
+
     @abstractmethod
     def render(self, field: ForceField) -> None:
         """Take a new force field; it holds until the next or until it is stale."""
@@ -105,9 +146,21 @@ class RunningDevice(ABC):
         Real hardware takes no notice of `hand` and never waits: it gives the newest that came.
         """
 
+    def rest(self) -> None:
+        """Let the hand go its way until `wake`: no trial goes on, and letting go is no trouble."""
+        return
+
+    def wake(self) -> None:
+        """Begin a trial after a rest."""
+        return
+
     def rows(self) -> Sequence[tuple[float, ...]]:
         """Give what it told during the last `advance`, oldest first: position, rate, values."""
         return ()
+
+    def health(self) -> Health:
+        """Tell how well it was heard so far."""
+        return Health()
 
     def identity(self) -> Identity:
         """Tell which piece of hardware this is."""

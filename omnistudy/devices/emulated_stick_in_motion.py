@@ -5,101 +5,69 @@ from __future__ import annotations
 from functools import cached_property
 from math import inf
 
-from omnistudy.channel import Channel
-from omnistudy.devices.device import DeviceState, Hand, RunningDevice
+from omnistudy.devices.device import NO_HAND, DeviceState, Hand
 from omnistudy.devices.emulated_stick import EmulatedStickDevice
-from omnistudy.devices.stick.conversion import configuration, handle_scale
+from omnistudy.devices.stick.conversion import configuration
 from omnistudy.devices.stick.emulator import EmulatedStick, mechanisms
 from omnistudy.devices.stick.line import StickLine
-from omnistudy.devices.stick.messages import Fault, State, Telemetry
-from omnistudy.errors.devices import CannotBePrescribed, WentSoft
-from omnistudy.geometry import ForceField
+from omnistudy.devices.stick.messages import Configuration
+from omnistudy.devices.stick.transport import Transport
+from omnistudy.devices.stick_on_line import StickOnLine
+from omnistudy.errors.devices import CannotBePrescribed
 
 SOFT_START = 10
 """ms; the trial begins when it is over."""
-SETTLING = 0.05
-"""s from power-up or arming until the board is ready."""
+LET_GO = Hand((0.0,) * 3, (0.0,) * 3, (0.0,) * 3, (0.0,) * 3)
 
 
-class EmulatedStickInMotion(RunningDevice):
-    """A board of its own for each trial."""
-
-    forces = (True, True, True)
-    channels = (
-        Channel("motor_x", "N", "commanded motor force after clipping, with centring, nominal"),
-        Channel("motor_y", "N", "commanded motor force after clipping, with centring, nominal"),
-        Channel("motor_theta", "N·m", "commanded torque after clipping, with centring, nominal"),
-        Channel("stick_worked", "1", "share of a tick until the motors were driven, greatest"),
-        Channel("stick_missed", "1", "ticks that the firmware missed so far"),
-    )
+class EmulatedStickInMotion(StickOnLine):
+    """A board of its own for each connection."""
 
     def __init__(self, device: EmulatedStickDevice, physics_hz: int) -> None:
-        self._stick = device.stick
-        self._scale = handle_scale(device.stick)
-        x, y, theta = self._scale.per_count
-        self.axes = (
-            Channel("stick_x", "m", "handle's travel, forward", x),
-            Channel("stick_y", "m", "handle's travel, left", y),
-            Channel("stick_theta", "rad", "handle's twist, counter-clockwise", theta),
+        super().__init__(
+            device.kind, device.stick, device.ceiling, device.added_damping, device.calibration
         )
         self._dt = 1.0 / physics_hz
         self._hand: Hand | None = None
-        self._worked = 0
-        self._told: Telemetry | None = None
+        self._now: float | None = None
 
     @cached_property
-    def _board(self) -> EmulatedStick:
+    def board(self) -> EmulatedStick:
+        """The board, powered up, its contacts closed."""
         board = EmulatedStick(mechanisms(self._stick))
         board.press_estop(False)
         board.hold_dead_man(True)
         return board
 
-    @cached_property
-    def _line(self) -> StickLine:
-        line = StickLine(self._board)
-        line.listen(SETTLING)
-        line.configure(configuration(self._stick)._replace(soft_start=SOFT_START))
-        line.arm()
-        line.listen(SETTLING)
-        self._board.release()
-        self._now = self._board.now()
-        return line
+    def _open(self) -> Transport:
+        return self.board
 
-    def values(self) -> tuple[float, ...]:
-        """Give the motor forces of the last tick and how the firmware kept up."""
-        if self._told is None:
-            return (0.0,) * len(self.channels)
-        return (*self._scale.force(self._told), self._worked / 16_000, float(self._told.missed))
-
-    def render(self, field: ForceField) -> None:
-        """Send a field over the emulated line."""
-        self._line.send(self._scale.wire(field))
+    def _settings(self, line: StickLine) -> Configuration:
+        return configuration(self._stick)._replace(soft_start=SOFT_START)
 
     def advance(self, hand: Hand) -> DeviceState:
         """Let the board run for one step; give what its telemetry says at the end.
 
-        Raises CannotBePrescribed, WentSoft.
+        Raises CannotBePrescribed.
         """
-        line = self._line
         if hand != self._hand:
             self._take(hand)
+        line = self._reach()
+        if line is None:
+            return self._out_of_reach()
+        if self._now is None:
+            self.board.release()
+            self._now = self.board.now()
         self._now += self._dt
-        heard = line.listen(self._now - self._board.now())
-        if heard:
-            self._told = heard[-1]
-            self._worked = max(one.worked for one in heard)
-            if self._told.state not in (State.RISING, State.FORCE, State.FADING):
-                faults = Fault(self._told.faults).name or "no fault"
-                raise WentSoft(State(self._told.state).name, faults)
-        assert self._told is not None
-        return self._scale.state(self._told)
+        return self._hear(line, line.listen(self._now - self.board.now()))
 
     def _take(self, hand: Hand) -> None:
-        if hand.stiffness[0] == inf:
+        grip = LET_GO if hand == NO_HAND else hand
+        if grip.stiffness[0] == inf:
             raise CannotBePrescribed("emulated_stick")
         for axis in range(3):
-            self._board.hold(
-                axis, hand.stiffness[axis], hand.damping[axis], hand.mass[axis],
-                hand.reference[axis],
+            self.board.hold(
+                axis, grip.stiffness[axis], grip.damping[axis], grip.mass[axis],
+                grip.reference[axis],
             )  # fmt: skip
         self._hand = hand

@@ -58,6 +58,11 @@ class SimulatedStick(Device):
     as_published: bool = False
     """True drives both pins of a motor pair as the thesis's firmware does."""
 
+    @property
+    def stops(self) -> tuple[int, int, int]:
+        """Mechanical stops, encoder counts either way."""
+        return (round(self.x.travel), round(self.y.travel), round(self.theta.travel))
+
     def connect(self, physics_hz: int) -> RunningDevice:
         """Give the stick at rest in its centre."""
         from omnistudy.devices.stick_in_motion import StickInMotion

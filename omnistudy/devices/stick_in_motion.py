@@ -81,6 +81,7 @@ class StickInMotion(RunningDevice):
     """Position and rate of three axes; `_tick` is the innermost loop of a trial and kept flat."""
 
     forces = (True, True, True)
+    wrench = "clipped"
     channels = (
         Channel("motor_x", "N", "motor force at the handle after clipping, with centring"),
         Channel("motor_y", "N", "motor force at the handle after clipping, with centring"),

@@ -69,12 +69,12 @@ class CannotBePrescribed(OmnistudyError):
 
 
 class WentSoft(OmnistudyError):
-    """A stick that took its force away during a trial."""
+    """A device that took its force away, or must not be driven with, during a trial."""
 
-    def __init__(self, state: str, faults: str) -> None:
+    def __init__(self, trouble: str) -> None:
         super().__init__(
-            f"the stick went soft during the trial (state {state}; {faults}): "
-            "find the cause, clear the faults and repeat the trial"
+            f"the device went soft during the trial: {trouble}; find the cause, have it checked "
+            "and repeat the trial"
         )
 
 
@@ -123,4 +123,49 @@ class NoTelemetry(OmnistudyError):
         super().__init__(
             f"nothing that speaks the stick's protocol was heard for {seconds:g} s: "
             "check power and port, and that the firmware is flashed (firmware/README.md)"
+        )
+
+
+class NotReached(OmnistudyError):
+    """What a device's process said when it could not connect its device."""
+
+
+class DeviceProcessFailed(OmnistudyError):
+    """A device whose process did not start, or ended by itself."""
+
+    def __init__(self, kind: str, exit_code: int | None = None) -> None:
+        how = "did not start" if exit_code is None else f"ended with exit code {exit_code}"
+        super().__init__(
+            f"the process that turns device '{kind}' {how}: the stick goes soft by itself; look at "
+            "what was printed before, then run the trial again"
+        )
+
+
+class DeviceSilent(OmnistudyError):
+    """A device whose process says nothing any more."""
+
+    def __init__(self, kind: str, seconds: float) -> None:
+        super().__init__(
+            f"the process that turns device '{kind}' said nothing for {seconds:g} s: the machine "
+            "may be too busy; close other programs, then run the trial again"
+        )
+
+
+class OnlyLive(OmnistudyError):
+    """A device of the real world, asked to run in simulated time."""
+
+    def __init__(self, kind: str) -> None:
+        super().__init__(
+            f"device '{kind}' lives in real time, which nobody can stop or hasten: "
+            "run the trials with `omnistudy session run STUDY --live`, or choose a simulated one"
+        )
+
+
+class NobodyHolds(OmnistudyError):
+    """A real person and a device that exists in the computer alone."""
+
+    def __init__(self, operator: str, device: str) -> None:
+        super().__init__(
+            f"operator '{operator}' is a person, and no person can hold the simulated device "
+            f"'{device}': choose a real device, or let operator 'virtual_driver' hold it"
         )

@@ -51,3 +51,13 @@ class WorkerDied(OmnistudyError):
             "a worker process was ended from outside (too little memory, or killed); what was "
             "finished is kept: run the command again, with --workers 1 if memory is short"
         )
+
+
+class AlwaysVoid(OmnistudyError):
+    """A trial whose attempts were void one after the other."""
+
+    def __init__(self, participant: str, position: int, attempts: int, cause: str) -> None:
+        super().__init__(
+            f"trial {position} of {participant} was void {attempts} times in a row, the last time "
+            f"because {cause}; mend that, then run the session again: another attempt is planned"
+        )

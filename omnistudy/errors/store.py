@@ -131,3 +131,13 @@ class NoSuchStream(OmnistudyError):
     def __init__(self, trial: int, given: str, allowed: Sequence[str]) -> None:
         has = f"its streams are {', '.join(allowed)}" if allowed else "it has none"
         super().__init__(f"trial {trial} has no stream '{given}': {has}{nearest(given, allowed)}")
+
+
+class RecorderFailed(OmnistudyError):
+    """A recorder that did not start."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__(
+            f"the process that records into {path} did not start: look at what was printed before, "
+            "free memory or disk, then run the session again"
+        )

@@ -1,4 +1,4 @@
-"""Who holds the stick: virtual drivers, recorded people."""
+"""Who holds the stick: virtual drivers, recorded people, real people."""
 
 from omnistudy.operators.operator import Operator, Person, RunningOperator
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
-from omnistudy.devices import Hand
+from omnistudy.devices import Device, Hand
+from omnistudy.errors.devices import NobodyHolds
 from omnistudy.registry import KindModel
 from omnistudy.worlds import Situation
 
@@ -25,6 +26,14 @@ class Person(NamedTuple):
 
 class Operator(KindModel, ABC):
     """Parameters of an operator; `begin` makes the one who drives a trial."""
+
+    in_lockstep: ClassVar[bool] = True
+    """False: a real person, who drives live trials with real devices only."""
+
+    def check_hold(self, device: Device) -> None:
+        """Raise NobodyHolds where the operator is a person and the device is simulated."""
+        if device.in_lockstep and not self.in_lockstep:
+            raise NobodyHolds(self.kind, device.kind)
 
     @abstractmethod
     def begin(self, person: Person, physics_hz: int) -> RunningOperator:

@@ -12,6 +12,9 @@ SITE_KEYS = ("title", "description", "site", "messages", "device")
 """What the site hash covers, besides the conditions' masked labels; the design hash has the rest.
 
 A condition that changes the device makes the device part of the design."""
+STATED_ONLY = ("limits",)
+"""Keys that are no part of the text where a protocol says nothing of them: protocols from before
+there were such keys keep their hashes."""
 
 
 class FrozenProtocol(NamedTuple):
@@ -31,7 +34,8 @@ def freeze(protocol: Protocol) -> FrozenProtocol:
 
     Mending a text changes the site hash alone and so redraws nothing.
     """
-    tree = protocol.model_dump(mode="json", serialize_as_any=True)
+    dumped = protocol.model_dump(mode="json", serialize_as_any=True)
+    tree = {key: value for key, value in dumped.items() if value or key not in STATED_ONLY}
     labels = [condition["masked_label"] for condition in tree["conditions"]]
     site = {key: tree[key] for key in SITE_KEYS} | {"masked_labels": labels}
     design = {key: value for key, value in tree.items() if key not in SITE_KEYS}

@@ -25,6 +25,7 @@ from omnistudy.protocol.fields import (
     AnyWorld,
     Name,
 )
+from omnistudy.protocol.limit import Limit
 from omnistudy.protocol.participants import Participants, SessionLimits
 from omnistudy.protocol.site import Site
 from omnistudy.protocol.visit import Block, Visit
@@ -89,6 +90,9 @@ class Protocol(Model):
     """Who takes part."""
     session: SessionLimits = SessionLimits()
     """How long a session may last."""
+
+    limits: tuple[Limit, ...] = ()
+    """How badly an attempt may have been run: what is above a limit is not analysed."""
 
     @property
     def course(self) -> tuple[Visit, ...]:

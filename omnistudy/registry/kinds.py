@@ -42,10 +42,16 @@ BUILT_IN: Mapping[str, Mapping[str, str]] = {
         "simulated_stick": "omnistudy.devices.simulated_stick:SimulatedStick",
         "direct": "omnistudy.devices.direct:DirectDevice",
         "emulated_stick": "omnistudy.devices.emulated_stick:EmulatedStickDevice",
+        "sdl_stick": "omnistudy.devices.handheld.sdl_stick:SdlStick",
+        "force_stick": "omnistudy.devices.handheld.force_stick:ForceStick",
+        "space_mouse": "omnistudy.devices.handheld.space_mouse:SpaceMouse",
+        "keyboard": "omnistudy.devices.handheld.keyboard:Keyboard",
+        "serial_stick": "omnistudy.devices.serial_stick:SerialStickDevice",
     },
     "operators": {
         "virtual_driver": "omnistudy.operators.virtual_driver:VirtualDriver",
         "recorded": "omnistudy.operators.recorded:RecordedOperator",
+        "person": "omnistudy.operators.real_person:RealPerson",
     },
     "tasks": {
         "route": "omnistudy.tasks.route:RouteTask",

@@ -54,7 +54,8 @@ def _parameters(
             yield from _parameters(type(default), f"{prefix}{name}.", default)
         elif name != "kind":
             meaning = " ".join((field.description or "").split())
-            yield Parameter(prefix + name, default, unit_of(field), meaning, field.is_required())
+            required = field.is_required() and made is None
+            yield Parameter(prefix + name, default, unit_of(field), meaning, required)
 
 
 def _alternatives(field: FieldInfo, default: KindModel, prefix: str) -> Iterator[Parameter]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from omnistudy.analysis.tables import StudyTables
+from omnistudy.analysis.tables import Exclusion, StudyTables
 from omnistudy.protocol.freeze import thaw
 from omnistudy.protocol.protocol import Protocol
 from omnistudy.store.study_file import StudyFile
@@ -17,6 +17,9 @@ def study_tables(study: StudyFile) -> StudyTables:
     """Read what a report needs; samples are read one trial at a time, while `study` is open."""
     protocol = thaw(study.study.protocol_json)
     trials = study.trials()
+    trials = trials[trials["kind"] == MAIN]
+    exclusions = tuple(Exclusion(*row) for row in study.exclusions().itertuples(index=False))
+    left_out = {exclusion.trial for exclusion in exclusions}
     return StudyTables(
         name=study.study.name,
         title=study.study.title,
@@ -24,13 +27,14 @@ def study_tables(study: StudyFile) -> StudyTables:
         design_hash=study.study.design_hash,
         site_hash=study.study.site_hash,
         made_by=study.study.omnistudy_version,
-        trials=trials[trials["kind"] == MAIN],
+        trials=trials[~trials["trial"].isin(left_out)],
         events=study.events(),
         participants=study.participants(),
         conditions=tuple(condition.name for condition in protocol.conditions),
         samples=study.samples,
         world=_one_world(protocol),
         factors=tuple(name for name in study.conditions().columns if name not in NO_FACTOR),
+        exclusions=tuple(one for one in exclusions if one.trial in set(trials["trial"])),
     )
 
 

@@ -52,6 +52,20 @@ def unfinished(report: Report) -> str:
     return f"Of {planned} attempts: {', '.join(missing)}. Every mean says how many it is of."
 
 
+def left_out(report: Report) -> str:
+    """Say which attempts the protocol's limits leave out, and why; empty when none."""
+    if not report.exclusions:
+        return ""
+    reasons: dict[int, list[str]] = {}
+    for trial, measure, value, greatest, unit in report.exclusions:
+        shown = "" if unit == "1" else f" {unit}"
+        reasons.setdefault(trial, []).append(
+            f"{measure.replace('_', ' ')} {value:g}{shown}, limit {greatest:g}{shown}"
+        )
+    named = "; ".join(f"{trial} ({', '.join(why)})" for trial, why in reasons.items())
+    return f"Left out of all numbers, being above the protocol's limits: trial {named}."
+
+
 def out_of_time(report: Report) -> str:
     """Say whose time ran out and what that does to the means; empty when nobody's did."""
     late = [

@@ -7,9 +7,10 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from omnistudy.errors.session import HumanParticipants
+from omnistudy.errors.session import AlwaysVoid, HumanParticipants
 from omnistudy.errors.study import UnknownParticipant
 from omnistudy.protocol import Protocol
+from omnistudy.session.attempts import next_attempt
 from omnistudy.session.specs import trial_spec
 from omnistudy.session.workers import run_all
 from omnistudy.store import StoredTrial, StudyWriter, TrialOutcome
@@ -21,12 +22,19 @@ Run = Callable[[Sequence[StoredTrial], Iterator[TrialSpec]], Iterator[TrialResul
 """Drives trials one after the other, each result in the place of its spec."""
 
 
+MOST_ATTEMPTS = 3
+"""At one trial in a row before the session ends (ours)."""
+INTERRUPTED = "the session ended in the middle of it"
+"""Reason of an attempt of which something was recorded, but not its end."""
+
+
 @dataclass(frozen=True, slots=True)
 class RunSummary:
-    """What a run did: trials by how they ended, and how many are still planned."""
+    """What a run did: attempts by how they ended, and how many trials are still planned."""
 
     completed: int
     timed_out: int
+    void: int
     aborted: int
     remaining: int
 
@@ -43,13 +51,15 @@ def run_trials(
 ) -> RunSummary:
     """Run what is planned, in order, each trial written whole as it ends; a stop loses none.
 
+    A void attempt is followed by the next one at the same trial.
+
     participants : codes; none means all. limit : run at most so many trials.
     protocol : when given, it must be the frozen one.
-    run : drives the trials instead of `workers` processes, such as `run_live`.
-    finished : told of every trial that was written.
+    run : drives one trial after the other instead of `workers` processes, such as `run_live`.
+    finished : told of every attempt that was written.
 
-    Raises ProtocolChanged, OrderDiffers, UnknownParticipant, HumanParticipants, and what the store
-    raises.
+    Raises ProtocolChanged, OrderDiffers, UnknownParticipant, HumanParticipants, AlwaysVoid, and
+    what the store raises.
     """
     with StudyWriter.open(path) as writer:
         study = writer.study
@@ -57,32 +67,62 @@ def run_trials(
             check_unchanged(study, protocol)
         if study.kind != "virtual":
             raise HumanParticipants(study.name)
-        for trial in writer.interrupted_trials():
-            writer.release_trial(trial.id)
+        frozen = frozen_protocol(study)
+        _recover(writer, frozen)
         _require_participants(study.name, participants, writer.trials())
         planned = [t for t in writer.planned_trials() if _wanted(t, participants)]
         chosen = planned if limit is None else planned[:limit]
-        frozen = frozen_protocol(study)
         order = OrderCheck(study.name, frozen, study.design_hash)
         order.check(writer.trials())
-        ended = {"completed": 0, "timed_out": 0, "aborted": 0}
-        for wave in _waves(chosen):
-            ready = [_with_condition(writer, order, trial) for trial in wave]
-            specs = _started(writer, frozen, ready)
-            results = run(ready, specs) if run else run_all(specs, workers)
-            for trial, result in zip(ready, results, strict=True):
-                _write(writer, trial, result)
-                ended[result.status] += 1
-                finished(trial, result)
+        drive = run or (lambda ready, specs: run_all(specs, workers))
+        ended = Counter[str]()
+        for wave in _waves(chosen, alone=run is not None):
+            waiting = [_with_condition(writer, order, trial) for trial in wave]
+            while waiting:
+                again = []
+                specs = _started(writer, frozen, waiting)
+                for trial, result in zip(waiting, drive(waiting, specs), strict=True):
+                    _write(writer, trial, result)
+                    ended[result.status] += 1
+                    finished(trial, result)
+                    if result.status == "void":
+                        again.append(next_attempt(writer, frozen, trial, result.reason))
+                        _insist_on_sense(trial, result.reason)
+                waiting = again
             _close_sessions(writer, {trial.session_id for trial in wave})
-        return RunSummary(**ended, remaining=len(writer.planned_trials()))
+        return RunSummary(
+            completed=ended["completed"],
+            timed_out=ended["timed_out"],
+            void=ended["void"],
+            aborted=ended["aborted"],
+            remaining=len(writer.planned_trials()),
+        )
 
 
-def _waves(trials: Sequence[StoredTrial]) -> Iterator[list[StoredTrial]]:
-    """Give trials that may run at once, in order.
+def _insist_on_sense(trial: StoredTrial, cause: str) -> None:
+    """Raise AlwaysVoid when so many attempts failed that another one mends nothing."""
+    if trial.attempt % MOST_ATTEMPTS == 0:
+        raise AlwaysVoid(trial.participant_code, trial.position, MOST_ATTEMPTS, cause)
+
+
+def _recover(writer: StudyWriter, protocol: Protocol) -> None:
+    """Put trials that nobody runs any more back in their places, as new attempts if need be."""
+    for trial in writer.interrupted_trials():
+        if writer.has_streams(trial.id):
+            writer.void_trial(trial.id, INTERRUPTED)
+            next_attempt(writer, protocol, trial, INTERRUPTED)
+        else:
+            writer.release_trial(trial.id)
+
+
+def _waves(trials: Sequence[StoredTrial], *, alone: bool) -> Iterator[list[StoredTrial]]:
+    """Give trials that may run at once, in order; one at a time when each runs alone.
 
     Where an order adapts that is one trial of each participant, since the next one depends on it.
     """
+    if alone:
+        yield from ([trial] for trial in trials)
+        return
     if all(trial.condition is not None for trial in trials):
         yield list(trials)
         return
@@ -146,7 +186,15 @@ def _write(writer: StudyWriter, trial: StoredTrial, result: TrialResult) -> None
         collisions_legacy=result.collisions_legacy,
         contact_time_s=result.contact_time_s,
     )
-    writer.finish_trial(trial.id, outcome, result.events, result.samples, result.streams)
+    writer.finish_trial(
+        trial.id,
+        outcome,
+        result.events,
+        result.samples,
+        result.streams,
+        result.device,
+        result.measures,
+    )
 
 
 def _close_sessions(writer: StudyWriter, sessions: set[int]) -> None:

@@ -8,11 +8,14 @@ from typing import TYPE_CHECKING, Any
 from sqlalchemy import Connection, Executable, select
 
 from omnistudy.channel import Channel
+from omnistudy.protocol.limit import Limit
 from omnistudy.store.tables import (
     AllocationRow,
     ConditionLevelRow,
     ConditionRow,
+    DeviceRow,
     EventRow,
+    MeasureRow,
     ParticipantRow,
     SessionRow,
     TrialRow,
@@ -127,6 +130,42 @@ def events_frame(connection: Connection, trial: int | None) -> DataFrame:
     if trial is not None:
         query = query.where(EventRow.trial_id == trial)
     return query_frame(connection, query.order_by(EventRow.trial_id, EventRow.id))
+
+
+def devices_frame(connection: Connection) -> DataFrame:
+    """One row an attempt that was driven with a device."""
+    query = select(
+        DeviceRow.trial_id.label("trial"),
+        DeviceRow.kind,
+        DeviceRow.model,
+        DeviceRow.serial,
+        DeviceRow.firmware,
+        DeviceRow.calibration,
+        DeviceRow.pushes,
+        DeviceRow.wrench,
+        DeviceRow.scale,
+    )
+    return query_frame(connection, query.order_by(DeviceRow.trial_id))
+
+
+def measures_frame(connection: Connection, trial: int | None) -> DataFrame:
+    """One row a measure, of one trial or of all."""
+    query = select(
+        MeasureRow.trial_id.label("trial"), MeasureRow.name, MeasureRow.value, MeasureRow.unit
+    )
+    if trial is not None:
+        query = query.where(MeasureRow.trial_id == trial)
+    return query_frame(connection, query.order_by(MeasureRow.trial_id, MeasureRow.name))
+
+
+def exclusions_frame(connection: Connection, limits: Sequence[Limit]) -> DataFrame:
+    """One row a limit that an attempt is above."""
+    measures = measures_frame(connection, None)
+    greatest = {limit.measure: limit.greatest for limit in limits}
+    measures["greatest"] = measures["name"].map(greatest).astype("float64")
+    above = measures[measures["value"] > measures["greatest"]]
+    made = above[["trial", "name", "value", "greatest", "unit"]].reset_index(drop=True)
+    return made.rename(columns={"name": "measure"})
 
 
 def conditions_frame(connection: Connection) -> DataFrame:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from typing import Any
 
@@ -9,13 +10,17 @@ import numpy as np
 from numpy.typing import NDArray
 from sqlalchemy import Connection, CursorResult, insert, select
 
-from omnistudy.channel import SAMPLE_COLUMNS, Event, Stream
+from omnistudy.channel import SAMPLE_COLUMNS, Event, Measure, Stream
+from omnistudy.devices import DeviceRecord
+from omnistudy.protocol.limit import Limit
 from omnistudy.store.chunks import chunks_of, columns_text
 from omnistudy.store.records import ProtocolVersion, StoredTrial, StudyRecord, TrialStatus
 from omnistudy.store.tables import (
     AllocationRow,
     ChunkRow,
+    DeviceRow,
     EventRow,
+    MeasureRow,
     ParticipantRow,
     ProtocolVersionRow,
     SampleRow,
@@ -58,6 +63,29 @@ def insert_samples(connection: Connection, trial_id: int, samples: NDArray[np.fl
             for row in samples.tolist()
         ],
     )
+
+
+def insert_device(connection: Connection, trial_id: int, device: DeviceRecord | None) -> None:
+    """Write which device a trial was driven with; nothing when there was none."""
+    if device is not None:
+        connection.execute(
+            insert(DeviceRow).values(
+                trial_id=trial_id,
+                kind=device.kind,
+                pushes=" ".join(device.pushes),
+                wrench=device.wrench,
+                scale=device.scale,
+                **device.identity._asdict(),
+            )
+        )
+
+
+def insert_measures(connection: Connection, trial_id: int, measures: Sequence[Measure]) -> None:
+    """Write how well a trial was run."""
+    if measures:
+        connection.execute(
+            insert(MeasureRow), [{"trial_id": trial_id, **one._asdict()} for one in measures]
+        )
 
 
 def insert_streams(connection: Connection, trial_id: int, streams: Sequence[Stream]) -> None:
@@ -137,6 +165,12 @@ def stored_study(connection: Connection) -> StudyRecord:
         created_at=row.created_at,
         omnistudy_version=row.omnistudy_version,
     )
+
+
+def stored_limits(study: StudyRecord) -> tuple[Limit, ...]:
+    """Give the limits that a study's protocol states; other parts of it need not be installed."""
+    stated = json.loads(study.protocol_json).get("limits", ())
+    return tuple(Limit.model_validate(limit) for limit in stated)
 
 
 def stored_versions(connection: Connection) -> tuple[ProtocolVersion, ...]:

@@ -17,7 +17,7 @@ from omnistudy.store.chunks import Chunk, channels_from, real_values, unpack
 from omnistudy.store.connection import in_plain_words, reading_engine, remove_empty_log
 from omnistudy.store.file_check import check_file
 from omnistudy.store.records import ProtocolVersion, StudyRecord
-from omnistudy.store.rows import stored_study, stored_versions
+from omnistudy.store.rows import stored_limits, stored_study, stored_versions
 from omnistudy.store.schema import check_revision
 from omnistudy.store.tables import (
     ChunkRow,
@@ -78,7 +78,9 @@ class StudyFile:
     def __repr__(self) -> str:
         with self.reading() as connection:
             participants = connection.scalar(select(func.count()).select_from(ParticipantRow))
-            trials = connection.scalar(select(func.count()).select_from(TrialRow))
+            trials = connection.scalar(
+                select(func.count()).select_from(TrialRow).where(TrialRow.status != "void")
+            )
             done = connection.scalar(
                 select(func.count()).select_from(TrialRow).where(TrialRow.status == "completed")
             )
@@ -132,6 +134,26 @@ class StudyFile:
             if trial is not None:
                 trial = self._trial_id(trial)
             return frames.events_frame(connection, trial)
+
+    def devices(self) -> DataFrame:
+        """Give one row an attempt that was driven: with which device, and what its force is."""
+        with self.reading() as connection:
+            return frames.devices_frame(connection)
+
+    def measures(self, trial: int | None = None) -> DataFrame:
+        """Give one row a number about how well one trial (raises NoSuchTrial) or all were run."""
+        with self.reading() as connection:
+            if trial is not None:
+                trial = self._trial_id(trial)
+            return frames.measures_frame(connection, trial)
+
+    def exclusions(self) -> DataFrame:
+        """Give one row a limit of the protocol that an attempt is above, which is not analysed.
+
+        Columns trial, measure, value, greatest, unit.
+        """
+        with self.reading() as connection:
+            return frames.exclusions_frame(connection, stored_limits(self.study))
 
     def samples(self, trial: int) -> DataFrame:
         """Give one row a sample of a trial, columns SAMPLE_COLUMNS; raises NoSuchTrial."""

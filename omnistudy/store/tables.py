@@ -16,6 +16,7 @@ from sqlalchemy import (
 )
 from sqlalchemy.orm import DeclarativeBase, Mapped, mapped_column
 
+from omnistudy.devices import Scale, Wrench
 from omnistudy.store.column_types import UtcDateTime
 from omnistudy.store.records import (
     ParticipantKind,
@@ -247,6 +248,34 @@ class SampleRow(Base):
     fx: Mapped[float | None]
     fy: Mapped[float | None]
     tau: Mapped[float | None]
+
+
+class DeviceRow(Base):
+    """Which device an attempt was driven with."""
+
+    __tablename__ = "device"
+    __table_args__ = (_one_of("wrench", Wrench), _one_of("scale", Scale))
+
+    trial_id: Mapped[int] = mapped_column(ForeignKey("trial.id"), primary_key=True)
+    kind: Mapped[str]
+    model: Mapped[str]
+    serial: Mapped[str]
+    firmware: Mapped[str]
+    calibration: Mapped[str]
+    pushes: Mapped[str]
+    wrench: Mapped[str]
+    scale: Mapped[str]
+
+
+class MeasureRow(Base):
+    """One number about how well an attempt was run."""
+
+    __tablename__ = "measure"
+
+    trial_id: Mapped[int] = mapped_column(ForeignKey("trial.id"), primary_key=True)
+    name: Mapped[str] = mapped_column(primary_key=True)
+    value: Mapped[float]
+    unit: Mapped[str]
 
 
 class StreamRow(Base):

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 from sqlalchemy import select, update
 
-from omnistudy.channel import Event, Stream
+from omnistudy.channel import Event, Measure, Stream
+from omnistudy.devices import DeviceRecord
 from omnistudy.errors.store import NoSuchTrial, WrongTrialStatus
 from omnistudy.store.design_writer import DesignWriter, now
 from omnistudy.store.records import (
@@ -20,14 +21,14 @@ from omnistudy.store.records import (
     TrialStatus,
 )
 from omnistudy.store.rows import (
+    insert_device,
     insert_events,
+    insert_measures,
     insert_samples,
     insert_streams,
     stored_trials,
 )
-from omnistudy.store.tables import (
-    TrialRow,
-)
+from omnistudy.store.tables import StreamRow, TrialRow
 
 
 class StudyWriter(DesignWriter):
@@ -69,6 +70,12 @@ class StudyWriter(DesignWriter):
             self._require(trial_id, "given a condition", "planned")
             self._update_trial(trial_id, {"condition": condition, "repetition": repetition})
 
+    def has_streams(self, trial_id: int) -> bool:
+        """Tell whether something of a trial was recorded while it ran."""
+        with self.transaction():
+            query = select(StreamRow.id).where(StreamRow.trial_id == trial_id).limit(1)
+            return self.connection.scalar(query) is not None
+
     def release_trial(self, trial_id: int) -> None:
         """Make a running trial planned again, after a crash that left nothing of it."""
         with self.transaction():
@@ -88,10 +95,13 @@ class StudyWriter(DesignWriter):
         events: Sequence[Event],
         samples: NDArray[np.float64],
         streams: Sequence[Stream],
+        device: DeviceRecord | None = None,
+        measures: Sequence[Measure] = (),
     ) -> None:
         """Write all that a running trial left behind, in one transaction.
 
         samples : (n, 13) float64, columns SAMPLE_COLUMNS.
+        device : what it was driven with. measures : how well it was run.
         Raises WrongTrialStatus unless the trial is running; StoreFull, and then the trial stays
         running without any row.
         """
@@ -100,6 +110,8 @@ class StudyWriter(DesignWriter):
             insert_events(self.connection, trial_id, events)
             insert_samples(self.connection, trial_id, samples)
             insert_streams(self.connection, trial_id, streams)
+            insert_device(self.connection, trial_id, device)
+            insert_measures(self.connection, trial_id, measures)
             self._update_trial(trial_id, asdict(outcome) | {"finished_at": now()})
 
     def add_attempt(self, trial_id: int, seed: str, reason: str) -> int:

@@ -44,7 +44,8 @@ def plan_session(study: StudyFile, participant: str) -> tuple[SessionTrial, ...]
     if participant not in codes:
         raise UnknownParticipant(study.study.name, participant, codes)
     protocol = frozen_protocol(study.study)
-    trials = study.trials()
+    attempts = study.trials()
+    trials = attempts[attempts["status"] != "void"]  # each of them is followed by another attempt
     own = trials[trials["participant"] == participant].sort_values(["visit", "position", "attempt"])
     planned: list[SessionTrial] = []
     for row in own[list(STORED)].to_dict("records"):

@@ -67,7 +67,8 @@ def study_status(study: StudyFile) -> StudyStatus:
 
 def participants_status(study: StudyFile) -> tuple[ParticipantStatus, ...]:
     """Count each participant's trials, in the order of enrolment."""
-    trials = study.trials()
+    attempts = study.trials()
+    trials = attempts[attempts["status"] != "void"]  # each of them is followed by another attempt
     counted = []
     for row in study.participants().to_dict("records"):
         statuses = trials[trials["participant"] == row["participant"]]["status"]

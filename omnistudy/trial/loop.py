@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omnistudy.controllers import Control
-from omnistudy.devices import DeviceState
+from omnistudy.devices import DeviceState, RunningDevice
 from omnistudy.geometry import NO_FORCE, PlanarTwist, Scan, Vector3
 from omnistudy.laws import Sensed
 from omnistudy.plants import RunningPlant
@@ -27,12 +27,19 @@ STOPPED = "stopped by hand"
 STILL = PlanarTwist(0.0, 0.0, 0.0)
 
 
-def run_trial(spec: TrialSpec, companion: Companion | None = None) -> TrialResult:
+def run_trial(
+    spec: TrialSpec, companion: Companion | None = None, held: RunningDevice | None = None
+) -> TrialResult:
     """Run a trial with its operator and device; the same spec gives the same bytes.
 
+    A device in trouble ends it: the trial is void, with the trouble as its reason.
+
     companion : keeps the pace and looks on; without one the trial goes as fast as it can.
+    held : the device, connected already and left connected; else the trial connects its own.
+
+    Raises OnlyLive for a device or an operator that needs `held`, NobodyHolds.
     """
-    return _run(spec, HandSource(spec), companion)
+    return _run(spec, HandSource(spec, held), companion)
 
 
 def resimulate(spec: TrialSpec, recorded: NDArray[np.float64]) -> TrialResult:
@@ -51,6 +58,7 @@ def _run(spec: TrialSpec, source: Source, companion: Companion | None = None) ->
         return _Loop(spec, source, plant, companion).run()
     finally:
         plant.close()
+        source.close()
 
 
 class _Loop:
@@ -100,6 +108,8 @@ class _Loop:
                 self._sample(step * dt)
             if not self._source.has(step):
                 return self._result(self._task.when_input_ends, "the input ended", step * dt)
+            if trouble := self._source.trouble():
+                return self._result("void", trouble, step * dt)
             self._step(step, dt, situation)
             step += 1
             situation, ended = self._notice(step * dt)
@@ -192,6 +202,7 @@ class _Loop:
             events=tuple(self._recorder.events),
             samples=self._recorder.samples(),
             streams=self._recorder.streams(),
+            device=self._source.record(),
         )
 
 

@@ -8,7 +8,15 @@ from math import nan
 import numpy as np
 from numpy.typing import NDArray
 
-from omnistudy.channel import SAMPLE_CHANNELS, SAMPLE_COLUMNS, Channel, Event, Recording, Stream
+from omnistudy.channel import (
+    SAMPLE_CHANNELS,
+    SAMPLE_COLUMNS,
+    Channel,
+    Event,
+    Recording,
+    Stream,
+    with_rates,
+)
 from omnistudy.devices import DeviceState
 from omnistudy.geometry import PlanarWrench
 
@@ -56,18 +64,9 @@ class Recorder:
 
     def input_stream(self) -> Stream:
         """Give what every physics step consumed."""
-        rates = tuple(
-            Channel(
-                f"{axis.name}_rate",
-                f"{axis.unit}/s",
-                f"rate of: {axis.description}",
-                axis.resolution,
-            )
-            for axis in self._axes
-        )
         width = 2 * len(self._axes)
         data = np.frombuffer(self._input, dtype=np.float64).reshape(-1, width).copy()
-        return Stream(INPUT, self._recording.physics_hz, (*self._axes, *rates), data)
+        return Stream(INPUT, self._recording.physics_hz, with_rates(self._axes), data)
 
     def _columns(self) -> tuple[str, ...]:
         return (

@@ -8,7 +8,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from omnistudy.channel import Event, Stream
+from omnistudy.channel import Event, Measure, Stream
+from omnistudy.devices import DeviceRecord
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -22,9 +23,11 @@ class TrialResult:
     contact_time_s : s in contact with a wall.
     samples : (n, 13) float64, columns SAMPLE_COLUMNS.
     streams : the rest, among them "input": what each physics step consumed.
+    device : what it was driven with; None when it ran from a record.
+    measures : how well a live trial was served.
     """
 
-    status: Literal["completed", "timed_out", "aborted"]
+    status: Literal["completed", "timed_out", "void", "aborted"]
     reason: str
     duration_s: float
     path_length_m: float
@@ -34,3 +37,5 @@ class TrialResult:
     events: tuple[Event, ...]
     samples: NDArray[np.float64]
     streams: tuple[Stream, ...]
+    device: DeviceRecord | None = None
+    measures: tuple[Measure, ...] = ()

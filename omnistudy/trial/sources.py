@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from omnistudy.channel import Channel
-from omnistudy.devices import DeviceState
+from omnistudy.devices import NO_HAND, DeviceRecord, DeviceState, RunningDevice, record_of
+from omnistudy.errors.devices import OnlyLive
 from omnistudy.errors.operators import WrongAxes
 from omnistudy.geometry import ForceField
 from omnistudy.trial.spec import TrialSpec
@@ -25,6 +26,18 @@ class Source(ABC):
     def has(self, step: int) -> bool:
         """Tell whether there is a state for a step."""
         return True
+
+    def trouble(self) -> str:
+        """Tell in one clause why the trial cannot go on; "" while all is well."""
+        return ""
+
+    def record(self) -> DeviceRecord | None:
+        """Describe the device; None when there is none."""
+        return None
+
+    def close(self) -> None:
+        """Let go what the trial opened."""
+        return
 
     @abstractmethod
     def next(self, step: int, t: float, plant_state: Any, situation: Situation) -> DeviceState:
@@ -42,8 +55,12 @@ class Source(ABC):
 class HandSource(Source):
     """An operator holds a device; feedback reaches the operator only as force on it."""
 
-    def __init__(self, spec: TrialSpec) -> None:
-        self._device = spec.device.connect(spec.recording.physics_hz)
+    def __init__(self, spec: TrialSpec, held: RunningDevice | None = None) -> None:
+        """Take the connected device, or connect the spec's own; raises OnlyLive, NobodyHolds."""
+        _check_live(spec, held)
+        self._kind = spec.device.kind
+        self._own = held is None
+        self._device = held or spec.device.connect(spec.recording.physics_hz)
         self._operator = spec.operator.begin(spec.person, spec.recording.physics_hz)
         self.axes = self._device.axes
         self.channels = self._device.channels
@@ -51,13 +68,26 @@ class HandSource(Source):
     def next(self, step: int, t: float, plant_state: Any, situation: Situation) -> DeviceState:
         """Let the hand act and the device move for one step; raises WrongAxes."""
         hand = self._operator.hand(t, plant_state, situation)
-        if step == 0 and len(hand.reference) != len(self.axes):
+        if step == 0 and hand != NO_HAND and len(hand.reference) != len(self.axes):
             raise WrongAxes(len(hand.reference), [axis.name for axis in self.axes])
         return self._device.advance(hand)
 
     def has(self, step: int) -> bool:
         """Tell whether the operator goes on driving."""
         return not self._operator.finished
+
+    def trouble(self) -> str:
+        """Tell what ails the device."""
+        return self._device.trouble()
+
+    def record(self) -> DeviceRecord:
+        """Describe the device."""
+        return record_of(self._kind, self._device)
+
+    def close(self) -> None:
+        """Let a device go that this trial connected."""
+        if self._own:
+            self._device.close()
 
     def render(self, field: ForceField) -> None:
         """Hand the field to the device."""
@@ -92,3 +122,10 @@ class RecordSource(Source):
     def values(self) -> tuple[float, ...]:
         """Give nothing: a record knows positions and rates only."""
         return ()
+
+
+def _check_live(spec: TrialSpec, held: RunningDevice | None) -> None:
+    """Refuse a real device in simulated time, and a person without a real device."""
+    if held is None and not spec.device.in_lockstep:
+        raise OnlyLive(spec.device.kind)
+    spec.operator.check_hold(spec.device)

@@ -258,8 +258,8 @@ def test_every_message_says_what_to_do() -> None:
 
     path = Path("studies/small.db")
     examples: dict[str, tuple[object, ...]] = {
-        "DatabaseTooOld": (path, "0001", "0002"),
-        "DatabaseTooNew": (path, "0003", "0002"),
+        "DatabaseTooOld": (path, "0001", "0003"),
+        "DatabaseTooNew": (path, "0004", "0003"),
         "DatabaseDamaged": (path, "cut"),
         "DiskFailed": (path, "disk I/O error"),
         "WrongTrialStatus": (3, "planned", "finished", ("running",)),

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from math import copysign
 from typing import NamedTuple
 
 import numpy as np
 
 from omnistudy.devices.device import DeviceState
 from omnistudy.devices.simulated_stick import DEGREES_PER_COUNT, SimulatedStick
+from omnistudy.devices.stick.force_calibration import ForceCalibration
 from omnistudy.devices.stick.layouts import DEFAULT_CONFIGURATION, LIMITS, SCALES
 from omnistudy.devices.stick.messages import Configuration, Field, Nine, Telemetry, Three
 from omnistudy.devices.stick_scale import FULL_DUTY
@@ -22,11 +24,14 @@ class HandleScale(NamedTuple):
     """What a count and a PWM step are at the handle.
 
     per_count : m, m, rad.
-    per_duty : N, N, N·m; nominal, from the published force at full duty.
+    per_duty : N, N, N·m; nominal, from the published force at full duty, unless calibrated.
+    dead_band : PWM steps that no force comes of; nominally none. It is taken off what the motors
+        are said to push, and not added to what they are told: near the centre that would buzz.
     """
 
     per_count: tuple[float, float, float]
     per_duty: tuple[float, float, float]
+    dead_band: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
     def wire(self, field: ForceField) -> Field:
         """Give the field in wire steps, each number cut to what a frame can carry."""
@@ -51,8 +56,11 @@ class HandleScale(NamedTuple):
         )
 
     def force(self, told: Telemetry) -> tuple[float, ...]:
-        """Give the commanded motor forces after all limits, nominal, N and N·m."""
-        return tuple(d * size for d, size in zip(told.motor, self.per_duty, strict=True))
+        """Give the commanded motor forces after all limits, N and N·m."""
+        return tuple(
+            copysign(max(0.0, abs(duty) - band), duty) * size
+            for duty, size, band in zip(told.motor, self.per_duty, self.dead_band, strict=True)
+        )
 
 
 def _steps(name: str, values: Iterable[float]) -> tuple[int, ...]:
@@ -71,9 +79,19 @@ def _nine(name: str, matrix: np.ndarray) -> Nine:
     return (a, b, c, d, e, f, g, h, i)
 
 
-def handle_scale(stick: SimulatedStick) -> HandleScale:
-    """Give the scale of a stick described as the simulated one is."""
+def handle_scale(stick: SimulatedStick, calibration: ForceCalibration | None = None) -> HandleScale:
+    """Give the scale of a stick described as the simulated one is.
+
+    calibration : what its forces were found to be; None is nominal.
+    """
     count, turn = stick.scale.metres_per_count, stick.scale.radians_per_count
+    if calibration is not None:
+        x, y, theta = calibration.axes
+        return HandleScale(
+            (count, count, turn),
+            (x.per_duty, y.per_duty, theta.per_duty),
+            (x.dead_band, y.dead_band, theta.dead_band),
+        )
     force, torque = stick.force_limit / FULL_DUTY, stick.torque_limit / FULL_DUTY
     return HandleScale((count, count, turn), (force, force, torque))
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 import ctypes
 from dataclasses import dataclass
 from functools import cache
-from math import ceil
+from math import ceil, sqrt
 from weakref import finalize
 
 from omnistudy.devices.simulated_stick import DEGREES_PER_COUNT, Axis, SimulatedStick
@@ -21,7 +21,7 @@ QUANTUM = 1e-3
 """s that pass at most before what came is given: the telemetry's period."""
 
 AXIS_FIELDS = (
-    "mass", "damping", "weight", "lever", "per_count", "per_duty", "travel",
+    "mass", "damping", "weight", "lever", "per_count", "per_duty", "travel", "dead_band",
     "hand_stiffness", "hand_damping", "hand_mass", "hand_reference",
     "motor", "encoder", "position", "rate", "moving",
 )  # fmt: skip
@@ -39,10 +39,13 @@ class Mechanism:
     travel: float
     weight: float = 0.0
     lever: float = 1.0
+    dead_band: float = 0.0
 
 
 RELAXED_HAND = ((200.0, 10.0, 0.3), (200.0, 10.0, 0.3), (5.0, 0.1, 0.0015))
 """Stiffness, damping and mass of each axis, SI (ours)."""
+CELL_STIFFNESS = (200_000.0, 200_000.0, 5_000.0)
+"""Of a load cell, N/m, N/m, N·m/rad: it gives way by less than an encoder count (ours)."""
 
 
 def mechanisms(stick: SimulatedStick) -> tuple[Mechanism, Mechanism, Mechanism]:
@@ -86,6 +89,7 @@ def _library() -> ctypes.CDLL:
         "overlaps": (ctypes.c_uint32, (this,)),
         "brown_out": (None, (this,)),
         "hang": (None, (this, ctypes.c_bool)),
+        "hang_at_start": (None, (this,)),
         "heal": (None, (this,)),
         "eeprom": (None, (this, ctypes.c_uint16, ctypes.c_char_p, ctypes.c_uint16, ctypes.c_bool)),
     }
@@ -171,6 +175,17 @@ class EmulatedStick:
         for name, value in zip(("stiffness", "damping", "mass", "reference"), given, strict=True):
             self.set(axis, f"hand_{name}", value)
 
+    def clamp(self, axis: int) -> None:
+        """Fix the handle to a load cell, a spring of CELL_STIFFNESS, where it stands."""
+        stiffness = CELL_STIFFNESS[axis]
+        damping = 2.0 * sqrt(stiffness * self.get(axis, "mass"))
+        self.hold(axis, stiffness, damping, 0.0, self.get(axis, "position"))
+
+    def cell_force(self, axis: int) -> float:
+        """Give what the load cell of `clamp` feels: the stick's push, N; N·m for theta."""
+        given = self.get(axis, "position") - self.get(axis, "hand_reference")
+        return self.get(axis, "hand_stiffness") * given
+
     def turn(self, axis: int, count: int, edges_per_second: float) -> None:
         """Turn an encoder's shaft to `count`, edge by edge, whatever the mechanism does."""
         self._library.emulator_turn(self._board, axis, count, edges_per_second)
@@ -225,8 +240,12 @@ class EmulatedStick:
         """Let the program jump for ever to where it is, with interrupts or without."""
         self._library.emulator_hang(self._board, interrupts)
 
+    def hang_at_start(self) -> None:
+        """Let the program hang at its very start, too, whenever it is started anew."""
+        self._library.emulator_hang_at_start(self._board)
+
     def heal(self) -> None:
-        """Put the program right again after `hang`."""
+        """Put the program right again after `hang` and `hang_at_start`."""
         self._library.emulator_heal(self._board)
 
     def eeprom(self, address: int, length: int) -> bytes:

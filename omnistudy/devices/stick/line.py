@@ -29,6 +29,8 @@ from omnistudy.errors.devices import NoAnswer, Refused, WrongProtocol
 
 ANSWER_WITHIN = 1.0
 """s; writing the EEPROM takes the longest: 60 bytes of 3.4 ms."""
+ASKED = 4
+"""Times that a question which changes nothing is asked within ANSWER_WITHIN (ours)."""
 
 REASONS = {
     Outcome.UNKNOWN: "it does not know this message",
@@ -71,6 +73,17 @@ class StickLine:
         self._telemetry.clear()
         return heard
 
+    def drain(self) -> list[Telemetry]:
+        """Take what has come without waiting; give the telemetry since the last listening."""
+        self._take(self.transport.read(0.0))
+        return self.listen(0.0)
+
+    def met(self) -> list[Identity]:
+        """Give what the stick has said of who it is since the last asking; forget other replies."""
+        identities = [reply for reply in self._replies if isinstance(reply, Identity)]
+        self._replies.clear()
+        return identities
+
     def _take(self, chunk: bytes) -> None:
         for message, _ in self.deframer.feed(chunk):
             if isinstance(message, Telemetry):
@@ -80,16 +93,14 @@ class StickLine:
 
     def identify(self) -> Identity:
         """Ask who is there; raises NoAnswer, WrongProtocol."""
-        self.send(Hello())
-        identity = self._await(Identity, "hello")
+        identity = self._ask(Hello(), Identity, "hello")
         if identity.version != PROTOCOL_VERSION:
             raise WrongProtocol(identity.version, PROTOCOL_VERSION)
         return identity
 
     def configuration(self) -> Configuration:
         """Ask for the settings in use; raises NoAnswer."""
-        self.send(GetConfiguration())
-        return self._await(Configuration, "get_configuration")
+        return self._ask(GetConfiguration(), Configuration, "get_configuration")
 
     def configure(self, configuration: Configuration) -> None:
         """Use settings until the next reset; raises Refused, NoAnswer."""
@@ -115,18 +126,30 @@ class StickLine:
         """Tell the stick that it is in its centre; raises Refused, NoAnswer."""
         self._request(Zero(), "zero")
 
+    def _ask(self, question: Message, kind: type[Kind], name: str) -> Kind:
+        """Ask again while nothing comes: a device whose line is full does not reply."""
+        for _ in range(ASKED):
+            self.send(question)
+            reply = self._reply(kind, ANSWER_WITHIN / ASKED)
+            if reply is not None:
+                return reply
+        raise NoAnswer(name, ANSWER_WITHIN)
+
     def _request(self, message: Message, name: str) -> None:
         sequence = self.send(message)
         code = CODES[type(message)]
         while True:
-            answer = self._await(Answer, name)
+            answer = self._reply(Answer, ANSWER_WITHIN)
+            if answer is None:
+                raise NoAnswer(name, ANSWER_WITHIN)
             if (answer.request, answer.sequence) == (code, sequence):
                 break
         if answer.outcome != Outcome.DONE:
             raise Refused(name, REASONS[Outcome(answer.outcome)])
 
-    def _await(self, kind: type[Kind], name: str) -> Kind:
-        end = self.transport.now() + ANSWER_WITHIN
+    def _reply(self, kind: type[Kind], seconds: float) -> Kind | None:
+        """Give the next reply of a kind; None when none came within `seconds`."""
+        end = self.transport.now() + seconds
         while True:
             while self._replies:
                 reply = self._replies.popleft()
@@ -134,5 +157,5 @@ class StickLine:
                     return reply
             left = end - self.transport.now()
             if left <= 1e-9:
-                raise NoAnswer(name, ANSWER_WITHIN)
+                return None
             self._take(self.transport.read(left))

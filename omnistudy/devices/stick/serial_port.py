@@ -15,6 +15,8 @@ from omnistudy.errors.devices import NoPort, PortLost, WhichPort
 SPEED = termios.B500000
 assert BAUD == 500_000
 CHUNK = 4096
+WRITE_WITHIN = 0.02
+"""s; a field is on the line within two, and a port that takes nothing must stop nobody (ours)."""
 PATTERNS = ("ttyACM*", "ttyUSB*")
 """Where Linux shows an Arduino Mega: an original under the first, most copies under the second."""
 
@@ -59,10 +61,12 @@ class SerialPort:
         termios.tcsetattr(self._file, termios.TCSANOW, raw)
 
     def write(self, data: bytes) -> None:
-        """Send bytes; raises PortLost."""
+        """Send bytes; raises PortLost, also when the port takes none for WRITE_WITHIN."""
         try:
             while data:
-                select.select((), (self._file,), ())
+                _, writable, _ = select.select((), (self._file,), (), WRITE_WITHIN)
+                if not writable:
+                    raise PortLost(self.path)
                 data = data[os.write(self._file, data) :]
         except OSError as cause:
             raise PortLost(self.path) from cause

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
-from stick_bench import Bench, field
+from stick_bench import Bench, diagonal, field
 
-from omnistudy.devices.stick.messages import Arm, Fault, State
+from omnistudy.devices.stick.frames import encode
+from omnistudy.devices.stick.messages import ARM_KEY, Arm, Fault, State
 from omnistudy.errors.devices import Refused
 
 TICK = 1e-3
@@ -60,6 +62,17 @@ def test_a_stale_field_fades_over_as_long_as_it_was_valid(bench: Bench) -> None:
     assert forces == sorted(forces, reverse=True)
 
 
+def test_the_spring_of_a_stale_field_fades_too(bench: Bench) -> None:
+    bench.bare(silence=1000)
+    bench.board.turn(0, 100, 5_000)
+    bench.line.listen(0.1)
+    bench.settle(field(stiffness=diagonal(1.0), valid_for=50))
+    forces = [one.motor[0] for one in bench.line.listen(0.15)]
+    assert forces[0] == -100
+    assert forces[-1] == 0
+    assert np.abs(np.diff(forces)).max() <= 3  # 100 PWM in 50 ticks
+
+
 def test_a_silent_host_leaves_the_stick_soft_within_silence_and_fade(bench: Bench) -> None:
     bench.arm(silence=200, fade=100)
     bench.board.turn(0, 200, 5_000)
@@ -70,6 +83,16 @@ def test_a_silent_host_leaves_the_stick_soft_within_silence_and_fade(bench: Benc
     assert heard[150].motor[0] != 0  # the centring still works
     assert heard[190].state == State.FADING
     assert all(one.motor == (0, 0, 0) for one in heard[282:])
+    assert_off(bench, State.IDLE, Fault.SILENT)
+
+
+def test_fields_that_are_refused_are_no_sign_of_life(bench: Bench) -> None:
+    bench.arm(silence=50, fade=100)
+    sent = bench.line.send(PUSH)
+    for _ in range(20):
+        bench.board.write(encode(PUSH, sent))  # repeated
+        bench.board.write(encode(PUSH._replace(valid_for=251), sent + 1))  # illegal
+        bench.line.listen(0.01)
     assert_off(bench, State.IDLE, Fault.SILENT)
 
 
@@ -159,6 +182,19 @@ def test_a_noisy_encoder_line_is_cut(bench: Bench) -> None:
     assert_off(bench, State.FAULT, Fault.ENCODER)
 
 
+def test_few_illegal_steps_a_second_are_no_fault(bench: Bench) -> None:
+    bench.bare(glitch_limit=5)
+    for _ in range(3):
+        for _ in range(4):
+            bench.board.jump(0)
+            bench.board.run(TICK)
+        for _ in range(10):
+            bench.line.send(PUSH)
+            heard = bench.line.listen(0.12)
+    assert heard[-1].glitches == 12
+    assert heard[-1].state == State.FORCE
+
+
 @pytest.mark.parametrize(("interrupts", "within"), [(True, 0.017), (False, 0.033)])
 def test_a_program_that_hangs_is_cut_by_the_watchdog(
     bench: Bench, interrupts: bool, within: float
@@ -175,6 +211,20 @@ def test_a_program_that_hangs_is_cut_by_the_watchdog(
     assert bench.line.identify().reset_cause == 8
 
 
+def test_the_watchdog_s_interrupt_itself_turns_all_off(bench: Bench) -> None:
+    """It relies on no start: here the program never comes to life again."""
+    bench.bare()
+    push(bench)
+    bench.board.hang(interrupts=True)
+    bench.board.hang_at_start()
+    bench.board.run(0.017 + TICK)
+    assert bench.board.duties == (0,) * 6
+    assert not bench.board.enabled
+    bench.board.heal()
+    bench.line.listen(0.05)
+    assert_off(bench, State.FAULT, Fault.WATCHDOG)
+
+
 def test_a_brown_out_while_forcing_leaves_no_force(bench: Bench) -> None:
     bench.bare()
     push(bench)
@@ -189,6 +239,31 @@ def test_a_brown_out_while_forcing_leaves_no_force(bench: Bench) -> None:
     assert heard[-1].state == State.IDLE
     assert bench.board.greatest_duty() == 0
     assert bench.line.identify().reset_cause == 4
+
+
+def test_a_stick_beyond_its_travel_is_not_armed(bench: Bench) -> None:
+    bench.board.turn(0, 361, 5_000)
+    bench.line.listen(0.1)
+    with pytest.raises(Refused, match="beyond its travel"):
+        bench.line.arm()
+    bench.board.turn(0, 0, 5_000)
+    bench.line.listen(0.1)
+    bench.line.arm()
+
+
+def test_an_emergency_stop_pressed_while_arm_is_read_forbids_it(bench: Bench) -> None:
+    frame = encode(Arm(ARM_KEY), 1)
+    for shift in range(10):
+        bench.board.write(frame)
+        while bench.board.waiting > 1:
+            bench.board.run(1e-6)
+        bench.board.press_estop(True)
+        for _ in range(60):
+            bench.board.run(20e-6)
+            assert not bench.board.enabled
+        bench.board.press_estop(False)
+        bench.line.listen(0.005 + shift * 1e-4)
+        bench.line.clear_faults()
 
 
 def test_arm_without_its_key_is_refused(bench: Bench) -> None:

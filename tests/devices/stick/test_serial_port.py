@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from carried_port import CarriedPort
 from stick_bench import Bench
 
 from omnistudy.devices.stick.check import check_stick
@@ -21,21 +22,6 @@ from omnistudy.devices.stick.serial_port import SerialPort
 from omnistudy.errors.devices import NoAnswer, NoPort, NoTelemetry, PortLost
 
 TIOCGEXCL = 0x80045440
-
-
-class CarriedPort(SerialPort):
-    """A serial port whose other end is carried a little whenever this one is read."""
-
-    def __init__(self, terminal: PseudoTerminal) -> None:
-        super().__init__(terminal.path)
-        self._terminal = terminal
-
-    def read(self, seconds: float) -> bytes:
-        self._terminal.carry(0.001)
-        return super().read(0.0)
-
-    def now(self) -> float:
-        return self._terminal.board.now()
 
 
 @pytest.fixture
@@ -106,3 +92,12 @@ def test_a_mute_line_is_not_waited_for_for_ever() -> None:
         check_stick(StickLine(Mute()))
     with pytest.raises(NoAnswer, match="did not answer 'hello' within 1 s"):
         StickLine(Mute()).identify()
+
+
+def test_a_port_that_takes_nothing_stops_nobody(bench: Bench) -> None:
+    terminal = PseudoTerminal(bench.board)
+    port = SerialPort(terminal.path)
+    with pytest.raises(PortLost):
+        port.write(bytes(1 << 20))  # more than any terminal holds, and nobody carries it on
+    port.close()
+    terminal.close()

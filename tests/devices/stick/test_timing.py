@@ -7,7 +7,16 @@ from itertools import pairwise
 import pytest
 from stick_bench import Bench, field
 
-from omnistudy.devices.stick.messages import CYCLES_PER_TICK, Fault, Telemetry
+from omnistudy.devices.stick.emulator import HERTZ
+from omnistudy.devices.stick.frames import encode
+from omnistudy.devices.stick.messages import (
+    CYCLES_PER_TICK,
+    TICK_HZ,
+    Fault,
+    GetConfiguration,
+    SetConfiguration,
+    Telemetry,
+)
 
 RATED = 9_900
 """Edges a second and axis: just below the velocity trip."""
@@ -41,10 +50,46 @@ def test_a_tick_takes_less_than_half_its_cycles_to_drive_the_motors(bench: Bench
     assert max(one.busy for one in heard) < CYCLES_PER_TICK
 
 
+@pytest.mark.parametrize("shift", [0, 30, 60, 90, 120])
+def test_no_message_is_begun_while_a_tick_waits(bench: Bench, shift: int) -> None:
+    """Settings take 4000 cycles to obey: begun between a tick's moment and its interrupt, which may
+    wait behind the encoders', they would make that tick late by as much."""
+    wanted = SetConfiguration(*bench.line.configuration())
+    bench.board.run(shift / HERTZ)
+    for axis in range(3):
+        bench.board.turn(axis, 30_000, TICK_HZ * 16)  # sixteen edges a tick, always in step with it
+        bench.board.run(60 / HERTZ)
+    late = []
+    for _ in range(600):
+        bench.line.send(wanted)
+        bench.board.run(37 / HERTZ)  # so that settings come at every moment of a tick
+        late += [one.late for one in bench.line.listen(0.003)]
+    assert max(late) < 1000
+
+
 @pytest.mark.parametrize("rate", [1_000, 4_000, RATED])
 def test_the_encoders_are_read_at_an_even_pace(bench: Bench, rate: float) -> None:
     late = [one.late for one in worst_case(bench, rate, 60)]
     assert max(late) - min(late) < 320  # 20 us
+
+
+def test_no_telemetry_is_lost_however_much_a_host_asks(bench: Bench) -> None:
+    """Six bytes ask for a configuration of sixty-six: more than the line can carry."""
+    bench.board.write(b"".join(encode(GetConfiguration(), index) for index in range(200)))
+    heard = bench.line.listen(0.05)
+    assert bench.board.waiting == 0
+    assert all(later.tick - earlier.tick == 1 for earlier, later in pairwise(heard))
+    assert len(heard) >= 48
+
+
+def test_an_answer_finds_room_behind_two_configurations(bench: Bench) -> None:
+    """The line carries three spare bytes in a tick: what it still holds must not cost an answer."""
+    for _ in range(2):
+        bench.line.configuration()
+    bench.line.arm()
+    for _ in range(10):
+        bench.line.configuration()  # asked again where it finds no room
+        bench.line.disarm()
 
 
 def test_a_field_changes_the_pwm_within_four_milliseconds_of_its_sending(bench: Bench) -> None:
@@ -76,3 +121,19 @@ def test_more_edges_than_the_processor_can_count_turn_the_force_off(bench: Bench
     assert faults & (Fault.OVERRUN | Fault.WATCHDOG)
     assert bench.board.duties == (0,) * 6
     assert not bench.board.enabled
+
+
+def test_ticks_that_are_missed_are_counted_and_time_goes_on(bench: Bench) -> None:
+    for axis in range(3):
+        bench.board.turn(axis, -2000, 30_000)
+    bench.line.listen(0.1)
+    bench.bare(travel=(2047, 2047, 2047), velocity_trip=(8191, 8191, 8191))
+    before, began = bench.line.listen(0.002)[-1], bench.board.now()
+    bench.settle(field(wrench=(100, 100, 100)))
+    for axis in range(3):
+        bench.board.turn(axis, 2000, 50_000)  # a little more than the processor can count
+    heard = bench.line.listen(0.15)
+    last = heard[-1]
+    gaps = sum(later.tick - earlier.tick - 1 for earlier, later in pairwise(heard))
+    assert 0 < last.missed == gaps
+    assert last.tick - before.tick == round((bench.board.now() - began) * TICK_HZ)

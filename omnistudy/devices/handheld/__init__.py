@@ -1,0 +1,1 @@
+"""Devices that labs own: gamepads, twist sticks, force sticks, space mice, keyboards."""

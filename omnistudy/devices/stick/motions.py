@@ -1,0 +1,188 @@
+"""Moves a stick that nobody holds, slowly and with little force, to find out how it moves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import NamedTuple
+
+from omnistudy.devices.stick.layouts import SCALES
+from omnistudy.devices.stick.line import StickLine
+from omnistudy.devices.stick.messages import (
+    Configuration,
+    Fault,
+    Field,
+    Nine,
+    State,
+    Telemetry,
+    Three,
+)
+from omnistudy.errors.devices import NoTelemetry
+from omnistudy.errors.stick_checks import ForceGone
+
+FORCE = 64
+"""PWM steps that any motor gets at most: a quarter of full duty (ours)."""
+PUSH = 38
+"""PWM steps of a push: 2 N nominal (ours)."""
+SLOWLY = 38
+"""PWM·ms/count of damping: a push then moves a count a millisecond, 0.14 m/s (ours)."""
+SPRING = 0.5
+"""PWM/count towards where the stick is to go (ours)."""
+STEP = 20
+"""Counts by which the spring's end moves with each field: a count a millisecond (ours)."""
+SOFT_START = 50
+"""ms (ours)."""
+RENEWAL = 0.02
+"""s between two fields."""
+FAR_ENOUGH = 10
+"""Counts that end a push (ours)."""
+PUSH_WITHIN = 0.15
+"""s; the nominal mechanism needs 12 ms (ours)."""
+STANDS = 2
+"""Counts within which it stands still (ours)."""
+STILL_FOR = 8
+"""Fields for which it must stand still: 0.16 s (ours)."""
+MOVE_WITHIN = 8.0
+"""s for one motion; from stop to stop theta needs 3 s (ours)."""
+NONE: Three = (0, 0, 0)
+
+
+class Stops(NamedTuple):
+    """Where an axis could not go any further, counts."""
+
+    low: int
+    high: int
+
+    @property
+    def middle(self) -> int:
+        """Where the zero should be."""
+        return round((self.low + self.high) / 2)
+
+    @property
+    def travel(self) -> int:
+        """Either way from the middle."""
+        return round((self.high - self.low) / 2)
+
+
+@contextmanager
+def low_force(line: StickLine, settings: Configuration) -> Iterator[None]:
+    """Arm the stick without centring and with little force; disarm it afterwards.
+
+    Raises Refused, NoAnswer.
+    """
+    line.configure(
+        settings._replace(
+            centring_stiffness=NONE, centring_damping=NONE, force_limit=limited(settings),
+            soft_start=SOFT_START,
+        )
+    )  # fmt: skip
+    line.arm()
+    _render(line, device_field(), 2 * SOFT_START / 1000)
+    try:
+        yield
+    finally:
+        line.disarm()
+
+
+def limited(settings: Configuration) -> Three:
+    """Give the force limits of these motions, PWM steps."""
+    x, y, theta = (min(FORCE, limit) for limit in settings.force_limit)
+    return (x, y, theta)
+
+
+def moved_by_a_push(line: StickLine, axis: int) -> int:
+    """Push an axis until it has moved a little; give by how many counts."""
+    start = _render(line, device_field(), RENEWAL)[-1].position[axis]
+    field = device_field(wrench=along(axis, PUSH))
+    moved = 0
+    for _ in range(round(PUSH_WITHIN / RENEWAL)):
+        moved = _render(line, field, RENEWAL)[-1].position[axis] - start
+        if abs(moved) >= FAR_ENOUGH:
+            break
+    return moved
+
+
+def stops_of(line: StickLine, axis: int) -> Stops:
+    """Move an axis to both of its stops."""
+    low, high = (
+        _until_still(line, device_field(wrench=along(axis, way * PUSH), damping=SLOWLY))[axis]
+        for way in (-1, 1)
+    )
+    return Stops(low, high)
+
+
+def go_to(line: StickLine, counts: Three) -> Three:
+    """Move the stick there; give where it then stands, counts.
+
+    The spring's end moves, not the stick alone: a far one would be faster than the velocity trip.
+    """
+    at = _render(line, device_field(damping=SLOWLY), RENEWAL)[-1].position
+    steps = max(abs(a - b) for a, b in zip(at, counts, strict=True)) // STEP + 1
+    for step in range(1, steps + 1):
+        x, y, theta = (a + (b - a) * step // steps for a, b in zip(at, counts, strict=True))
+        there: Three = (x, y, theta)
+        _render(line, device_field(about=there, stiffness=SPRING, damping=SLOWLY), RENEWAL)
+    return _until_still(line, device_field(about=counts, stiffness=SPRING, damping=SLOWLY))
+
+
+def wait_until_still(line: StickLine) -> Three:
+    """Let the stick's own forces work; give where it then stands, counts."""
+    return _until_still(line, device_field())
+
+
+def _until_still(line: StickLine, field: Field) -> Three:
+    before: Three = NONE
+    still = 0
+    for _ in range(round(MOVE_WITHIN / RENEWAL)):
+        now = _render(line, field, RENEWAL)[-1].position
+        moved = max(abs(a - b) for a, b in zip(now, before, strict=True))
+        still, before = (still + 1, before) if moved <= STANDS else (0, now)
+        if still >= STILL_FOR:
+            break
+    return now
+
+
+def _render(line: StickLine, field: Field, seconds: float) -> list[Telemetry]:
+    heard: list[Telemetry] = []
+    end = line.transport.now() + seconds
+    while line.transport.now() < end:
+        line.send(field)
+        heard += line.listen(min(RENEWAL, end - line.transport.now()))
+    if not heard:
+        raise NoTelemetry(seconds)
+    last = heard[-1]
+    if last.state in (State.IDLE, State.FAULT):
+        raise ForceGone(State(last.state).name, Fault(last.faults).name or "no fault")
+    return heard
+
+
+def along(axis: int, push: float) -> tuple[float, float, float]:
+    """Give a push along one axis."""
+    x, y, theta = (push if axis == one else 0.0 for one in range(3))
+    return (x, y, theta)
+
+
+def device_field(
+    wrench: tuple[float, float, float] = NONE,
+    about: Three = NONE,
+    stiffness: float = 0.0,
+    damping: float = 0.0,
+) -> Field:
+    """Give a field in wire steps from PWM, counts, PWM/count and PWM·ms/count."""
+    steps = SCALES[Field]
+
+    def times(values: tuple[float, float, float], scale: int) -> Three:
+        x, y, theta = (round(value * scale) for value in values)
+        return (x, y, theta)
+
+    def diagonal(value: float, scale: int) -> Nine:
+        one = round(value * scale)
+        return (one, 0, 0, 0, one, 0, 0, 0, one)
+
+    return Field(
+        times(wrench, steps["wrench"]),
+        times(about, steps["about"]),
+        diagonal(stiffness, steps["stiffness"]),
+        diagonal(damping, steps["damping"]),
+        valid_for=round(5 * RENEWAL * 1000),
+    )
