@@ -16,6 +16,18 @@ export interface State {
   made: number;
 }
 
+/** What a session says to the participant between two trials; `content` is as `page` says,
+ * `lines` stood on the screen when the trial before it ended. */
+export interface Dialogue {
+  page: "instruct" | "rest" | "countdown" | "consent" | "survey" | "thank";
+  mark: string;
+  remaining: number;
+  trial: number | null;
+  content: unknown;
+  lines: string[];
+  stick: [x: number, y: number, theta: number] | null;
+}
+
 export interface Lag { trial: number; frames: number; median_ms: number; p99_ms: number }
 
 export interface LiveSetting extends Setting {
@@ -30,6 +42,8 @@ export interface LiveSetting extends Setting {
   boundary: [number, number][];
 }
 
+type Told = State | { dialogue: Dialogue } | null;
+
 export function momentOf(state: State): Moment {
   const value = (name: string): number => state.values[name] ?? 0;
   return { t: state.t, x: value("x"), y: value("y"), theta: value("theta"), value };
@@ -43,10 +57,12 @@ const AGAIN = 500;
 /** The connection to the server: the latest state, and a way to answer. It connects again by itself. */
 export class Live {
   state: State | null = null;
+  dialogue: Dialogue | null = null;
   lag: Lag | null = null;
   private socket: WebSocket | null = null;
   private heardAt = performance.now();
   private lookedAt = performance.now();
+  private known = 0;
 
   constructor(private readonly onSetting: (setting: LiveSetting) => void) {
     this.connect();
@@ -69,15 +85,18 @@ export class Live {
     this.socket = socket;
     socket.addEventListener("message", (message) => {
       this.heardAt = performance.now();
-      const told = JSON.parse(message.data as string) as { state: State | null; lag: Lag | null };
-      if (told.state && told.state.trial !== this.state?.trial) void this.fetchSetting(told.state.trial);
-      this.state = told.state;
-      this.lag = told.lag;
+      const { state, lag } = JSON.parse(message.data as string) as { state: Told; lag: Lag | null };
+      this.dialogue = state && "dialogue" in state ? state.dialogue : null;
+      this.state = state && "trial" in state ? state : null;
+      this.lag = lag;
+      const trial = this.state?.trial ?? this.dialogue?.trial;
+      if (trial && trial !== this.known) void this.fetchSetting(trial);
     });
     socket.addEventListener("close", () => setTimeout(() => this.connect(), AGAIN));
   }
 
   private async fetchSetting(trial: number): Promise<void> {
+    this.known = trial;
     const answer = await fetch(`/setting/${trial}`);
     if (answer.ok) this.onSetting((await answer.json()) as LiveSetting);
   }

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from omnistudy.session import RunSummary
+    from omnistudy.session.pauses import Pauses
+    from omnistudy.view.attendance import Attendance
 
 app = typer.Typer(no_args_is_help=True, help="A participant's trials: plan them, run them.")
 
@@ -100,6 +102,13 @@ def run(
     open_browser: Annotated[
         bool, typer.Option("--open/--no-open", help="Open the live pages in the browser.")
     ] = True,
+    pauses: Annotated[
+        bool,
+        typer.Option(
+            "--pauses/--no-pauses",
+            help="Show instructions, countdown and rests between live trials.",
+        ),
+    ] = True,
     dry_run: Annotated[
         bool, typer.Option("--dry-run", help="Say how many trials would run, and run none.")
     ] = False,
@@ -118,7 +127,7 @@ def run(
         print_line(f"{waiting} trials would run")
         return
     if live:
-        summary = run_with_pages(path, waiting, codes, trials, protocol, open_browser)
+        summary = run_with_pages(path, waiting, codes, trials, protocol, open_browser, pauses)
     else:
         summary = run_with_progress(path, waiting, codes, trials, workers, protocol)
     if json:
@@ -149,6 +158,7 @@ def run_with_pages(
     limit: int | None,
     protocol: str | None,
     open_browser: bool,
+    pauses: bool,
 ) -> RunSummary:
     """Run the planned trials at the wall clock's pace, with the participant's and own pages."""
     import sys
@@ -165,14 +175,30 @@ def run_with_pages(
             print(f"{page}: {address}", file=sys.stderr, flush=True)
             if open_browser:
                 webbrowser.open(address)
-        return run_trials(
+        led = visit_of(path, attendance) if pauses else None
+        before = (led.before,) if led else ()
+        summary = run_trials(
             path,
             participants=participants,
             limit=limit,
             protocol=compose_protocol(protocol) if protocol else None,
-            run=lambda ready, specs: run_live(ready, specs, attendance.accompany),
+            run=lambda ready, specs: run_live(ready, specs, attendance.accompany, *before),
             finished=lambda trial, result: advance(),
         )
+        if led:
+            led.end()
+        return summary
+
+
+def visit_of(path: Path, attendance: Attendance) -> Pauses:
+    """Give what virtual participants are shown between trials: nobody is waited for."""
+    from omnistudy.session.pauses import AUTOMATIC_S, Pauses
+    from omnistudy.store import open_study
+    from omnistudy.study.frozen import frozen_protocol
+
+    with open_study(path) as opened:
+        pause = frozen_protocol(opened.study).session.pause
+    return Pauses(attendance.converse(automatic_s=AUTOMATIC_S), pause)
 
 
 def run_with_progress(

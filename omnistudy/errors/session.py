@@ -51,3 +51,23 @@ class WorkerDied(OmnistudyError):
             "a worker process was ended from outside (too little memory, or killed); what was "
             "finished is kept: run the command again, with --workers 1 if memory is short"
         )
+
+
+class NobodyAnswers(OmnistudyError):
+    """A page that waited for a person in vain."""
+
+    def __init__(self, page: str, patience_s: float) -> None:
+        super().__init__(
+            f"the {page} page waited {patience_s / 60.0:.0f} minutes for an answer: what was "
+            "driven is kept; run the command again when somebody is there"
+        )
+
+
+class StoppedBetweenTrials(OmnistudyError):
+    """A participant who pressed stop on a page between two trials."""
+
+    def __init__(self, page: str) -> None:
+        super().__init__(
+            f"stop was pressed on the {page} page: what was driven is kept; run the command again "
+            "to go on with the next trial"
+        )

@@ -54,13 +54,21 @@ Accompany = Callable[[StoredTrial], RealTime]
 
 
 def run_live(
-    trials: Iterable[StoredTrial], specs: Iterable[TrialSpec], accompany: Accompany
+    trials: Iterable[StoredTrial],
+    specs: Iterable[TrialSpec],
+    accompany: Accompany,
+    before: Callable[[StoredTrial], None] = lambda trial: None,
 ) -> Iterator[TrialResult]:
     """Run trials one after the other in this process, each with its companion.
 
     What the companion remarks is stored as events at the trial's end.
+    before : called ahead of each trial, which is not begun while it lasts: what it raises leaves
+        the trial planned.
     """
-    for trial, spec in zip(trials, specs, strict=True):
+    waiting = iter(specs)
+    for trial in trials:
+        before(trial)
+        spec = next(waiting)
         companion = accompany(trial)
         result = run_trial(spec, companion)
         end = float(result.samples[-1, 0])
