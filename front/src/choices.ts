@@ -36,6 +36,12 @@ export class Choices {
     taken.click();
   }
 
+  /** Another page has come: begin with its first choice. */
+  forget(): void {
+    this.lit?.classList.remove("lit");
+    this.lit = this.row = null;
+  }
+
   private leaveRow(): void {
     const row = this.row!;
     this.row = null;

@@ -12,7 +12,7 @@ import { button, type Reply, type Sheet } from "./sheet";
 import { NoWebGL, Stage, type Eye } from "./stage";
 import { StickPointer } from "./stick";
 import { Switch, type Scanning } from "./switch";
-import { make, say } from "./words";
+import { make } from "./words";
 
 interface Shown {
   language: string;
@@ -47,6 +47,7 @@ class ParticipantPage {
   private readonly stick: StickPointer;
   private readonly oneSwitch: Switch | null;
   private setting: LiveSetting | null = null;
+  private blind = false;
   private stage: Stage | null = null;
   private stopped = 0;
   private drawn = 0;
@@ -58,12 +59,13 @@ class ParticipantPage {
 
   constructor(private readonly shown: Shown) {
     const { screen, pages, scanning } = shown;
+    const lean = scanning.one_switch ? " switched" : "";
     this.canvas = make("canvas", { class: "scene", role: "img", "aria-label": screen.scene });
     this.cue = make("p", { class: "cue" }, `${screen.next_target}: `, this.chip, this.called);
     this.whole = button(pages.controls.full_screen, fillScreen, "whole");
     this.stop = button(screen.stop, () => this.end(), "stop");
     this.stop.disabled = true;
-    this.element = make("main", { class: "participant", "aria-label": screen.scene },
+    this.element = make("main", { class: `participant${lean}`, "aria-label": screen.scene },
       this.canvas, this.cue, this.message, this.whole, this.stop);
     this.choices = new Choices(this.element);
     this.stick = new StickPointer(this.choices);
@@ -84,7 +86,7 @@ class ParticipantPage {
       this.stage = new Stage(this.canvas, setting, 1, false, this.shown.eye);
     } catch (fault) {
       if (!(fault instanceof NoWebGL)) throw fault;
-      document.body.replaceChildren(say(this.shown.screen.no_picture, ""));
+      this.blind = true;
       return;
     }
     this.setting = setting;
@@ -143,6 +145,7 @@ class ParticipantPage {
       this.sheet = this.sheetOf(dialogue);
       this.whole.before(this.sheet.element);
       this.sheet.begin();
+      this.choices.forget();
       this.stick.forget();
     }
     this.sheet?.update(dialogue);
@@ -184,6 +187,7 @@ class ParticipantPage {
     if (this.asked?.page === "thank") return [];
     if (this.live.lost) return [screen.connection_lost];
     if (this.sheet) return [];
+    if (this.blind) return [screen.no_picture];
     if (this.asked?.page === "countdown") return [pages.pauses.starting];
     if (!state) return [screen.waiting];
     if (this.stopped === state.trial) return [screen.stopped];

@@ -25,7 +25,7 @@ export function drawn(item: Item, words: Pages, kept: Kept): HTMLElement {
   if (item.kind === "likert" || item.kind === "choice") {
     const tiles = optionsOf(item).map(([value, ...text]) => tile(item.name, value, text, kept));
     if (!item.required) tiles.push(tile(item.name, "", [words.survey.no_answer], kept));
-    return make("fieldset", { class: item.kind, "aria-describedby": FAULT }, legend, ...optional, make("div", { class: "tiles" }, ...tiles));
+    return make("fieldset", { class: `asks_${item.kind}`, "aria-describedby": FAULT }, legend, ...optional, make("div", { class: "tiles" }, ...tiles));
   }
   const field = fieldOf(item, kept);
   const unit = item.kind === "number" && item.unit ? [make("span", { class: "unit" }, item.unit)] : [];
