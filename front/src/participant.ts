@@ -35,6 +35,7 @@ export function participant(shown: Shown): void {
 
 class ParticipantPage {
   readonly element: HTMLElement;
+  private readonly title: HTMLElement;
   private readonly canvas: HTMLCanvasElement;
   private readonly message = make("p", { class: "message large", role: "status" });
   private readonly chip = make("span", { class: "chip", "aria-hidden": "true" });
@@ -60,13 +61,14 @@ class ParticipantPage {
   constructor(private readonly shown: Shown) {
     const { screen, pages, scanning } = shown;
     const lean = scanning.one_switch ? " switched" : "";
+    this.title = make("h1", { class: "unseen" }, screen.scene);
     this.canvas = make("canvas", { class: "scene", role: "img", "aria-label": screen.scene });
     this.cue = make("p", { class: "cue" }, `${screen.next_target}: `, this.chip, this.called);
     this.whole = button(pages.controls.full_screen, fillScreen, "whole");
     this.stop = button(screen.stop, () => this.end(), "stop");
     this.stop.disabled = true;
-    this.element = make("main", { class: `participant${lean}`, "aria-label": screen.scene },
-      this.canvas, this.cue, this.message, this.whole, this.stop);
+    this.element = make("main", { class: `participant${lean}` },
+      this.title, this.canvas, this.cue, this.message, this.whole, this.stop);
     this.choices = new Choices(this.element);
     this.stick = new StickPointer(this.choices);
     this.oneSwitch = scanning.one_switch ? new Switch(this.choices, scanning.pace) : null;
@@ -120,6 +122,7 @@ class ParticipantPage {
     if (dialogue) this.converse(dialogue, now);
     else if (state) this.asked = this.said = null;
     if (!this.asked || this.answered || (this.asked.page === "countdown" && !dialogue)) this.putAway();
+    this.title.hidden = this.sheet !== null;
     this.tell(this.sentences(state));
     this.offerStop(running && this.stopped !== state.trial, this.sheet !== null && this.asked?.page !== "thank");
     this.whole.hidden = running || !document.fullscreenEnabled || document.fullscreenElement !== null;

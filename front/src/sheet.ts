@@ -8,7 +8,7 @@ export interface Reply { agreed?: boolean; ticked?: string[]; given?: { item: st
 
 export abstract class Sheet {
   readonly element: HTMLElement;
-  readonly body = make("div", { class: "body" });
+  readonly body = make("div", { class: "body", role: "region" });
   private readonly foot = make("div", { class: "foot" });
   private readonly more: HTMLButtonElement;
 
@@ -29,6 +29,7 @@ export abstract class Sheet {
   protected write(parts: Node[], buttons: HTMLButtonElement[]): void {
     this.body.replaceChildren(...parts);
     this.foot.replaceChildren(this.more, ...buttons);
+    this.body.setAttribute("aria-label", this.body.querySelector("h1")?.textContent ?? "");
     this.body.scrollTop = 0;
     this.offerMore();
     const first = this.element.querySelector<HTMLElement>("input:checked, input, textarea, [data-first]");

@@ -49,24 +49,43 @@ class Person(ABC):
         return bool(self.tab.value(f"document.activeElement.matches({choice!r})"))
 
 
-class WithMouse(Person):
-    """Clicks in the middle of things."""
+class Pointing(Person):
+    """Knows where things are."""
 
-    def take(self, choice: str) -> None:
+    def middle(self, choice: str) -> tuple[float, float]:
         self.tab.wait_for(f"document.querySelector({choice!r}) !== null", 20)
         x, y = self.tab.value(
             f"(() => {{const one = document.querySelector({choice!r});"
             "one.scrollIntoView({block: 'nearest'}); const r = one.getBoundingClientRect();"
             "return [r.x + r.width / 2, r.y + r.height / 2]})()"
         )
+        return x, y
+
+    def write(self, words: str) -> None:
+        self.take(".field :first-child")
+        self.tab.wait_for("document.activeElement.matches('.field :first-child')", 20)
+        self.tab.ask("Input.insertText", text=words)
+
+
+class WithMouse(Pointing):
+    """Clicks in the middle of things."""
+
+    def take(self, choice: str) -> None:
+        x, y = self.middle(choice)
         for kind in ("mousePressed", "mouseReleased"):
             self.tab.ask(
                 "Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1
             )
 
-    def write(self, words: str) -> None:
-        self.take(".field :first-child")
-        self.tab.ask("Input.insertText", text=words)
+
+class WithFinger(Pointing):
+    """Touches the middle of things."""
+
+    def take(self, choice: str) -> None:
+        x, y = self.middle(choice)
+        self.tab.ask("Emulation.setTouchEmulationEnabled", enabled=True)
+        self.tab.ask("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": x, "y": y}])
+        self.tab.ask("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
 
 
 class WithKeyboard(Person):

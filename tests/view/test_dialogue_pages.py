@@ -41,6 +41,7 @@ from .conftest import SHORT
 from .people import (
     Person,
     Stick,
+    WithFinger,
     WithKeyboard,
     WithMouse,
     WithOneSwitch,
@@ -151,7 +152,7 @@ def met_switch(chromium: Browser, tmp_path_factory: pytest.TempPathFactory) -> I
         yield met
 
 
-@pytest.fixture(params=[WithMouse, WithKeyboard, WithOneSwitch, WithStick])
+@pytest.fixture(params=[WithMouse, WithFinger, WithKeyboard, WithOneSwitch, WithStick])
 def person(request: pytest.FixtureRequest) -> Iterator[tuple[Person, Meeting, PageDialogue]]:
     chosen = request.param
     met = request.getfixturevalue("met_switch" if chosen is WithOneSwitch else "met")
@@ -297,7 +298,7 @@ def test_the_countdown_counts_and_the_thanks_stay(met: Meeting) -> None:
     met.tab.wait_for("document.querySelector('.message').textContent === 'The round begins.'")
     met.begin(met.dialogue().thank).result(20)
     met.tab.wait_for("window.participant.live.dialogue === null")
-    assert met.tab.value("document.querySelector('h1').textContent") == "Thank you"
+    assert met.tab.value("document.querySelector('.sheet h1').textContent") == "Thank you"
     assert met.tab.value("document.querySelector('.message').hidden")
 
 
