@@ -50,6 +50,7 @@ class ParticipantPage {
   private setting: LiveSetting | null = null;
   private blind = false;
   private stage: Stage | null = null;
+  private driving = false;
   private stopped = 0;
   private drawn = 0;
   private sheet: Sheet | null = null;
@@ -178,10 +179,10 @@ class ParticipantPage {
 
   /** During a trial the one button has the focus whenever it can be pressed. */
   private offerStop(driving: boolean, reading: boolean): void {
-    const offered = driving || reading;
-    if (this.stop.disabled !== offered) return;
-    this.stop.disabled = !offered;
-    if (driving) this.stop.focus();
+    const begins = driving && !this.driving;
+    this.driving = driving;
+    this.stop.disabled = !driving && !reading;
+    if (begins) this.stop.focus();
   }
 
   private sentences(state: State | null): string[] {

@@ -112,13 +112,20 @@ def opened(running: Browser, address: str) -> Tab:
 
 
 @pytest.mark.slow
-def test_stop_is_a_key_away_and_ends_the_trial(study: Path, chromium: Browser) -> None:
-    with session(study, "--no-pauses") as (participant, _, process):
+@pytest.mark.parametrize(("one_switch", "key"), [(False, "Enter"), (True, "F9")])
+def test_stop_is_a_key_away_and_ends_the_trial(
+    tmp_path: Path, chromium: Browser, one_switch: bool, key: str
+) -> None:
+    study = tmp_path / "seen.db"
+    overrides = (*SHORT, f"site.scanning.one_switch={one_switch}", "site.scanning.pace=0.3")
+    create_study(compose_protocol("utah2017_component", overrides), study, "seen")
+    with session(study) as (participant, _, process):
         tab = opened(chromium, participant)
         tab.wait_for(f"({STATE}?.t ?? 0) > 1 && !document.querySelector('.stop').disabled")
-        assert tab.value("document.activeElement.className") == "stop"
+        tab.wait_for("document.activeElement.matches('.stop')")
+        text = {"text": "\r"} if key == "Enter" else {}
         for kind in ("keyDown", "keyUp"):
-            tab.ask("Input.dispatchKeyEvent", type=kind, key="Enter", code="Enter", text="\r")
+            tab.ask("Input.dispatchKeyEvent", type=kind, key=key, code=key, **text)
         tab.wait_for("document.querySelector('.message').textContent.startsWith('Stopped')")
         assert process.wait(timeout=60) == 0
     with omnistudy.open(study) as stored:
