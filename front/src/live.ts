@@ -19,6 +19,18 @@ export interface State {
 
 export interface Measure { name: string; value: number; unit: string; ok: boolean }
 
+/** What a session says to the participant between two trials; `content` is as `page` says,
+ * `lines` stood on the screen when the trial before it ended. */
+export interface Dialogue {
+  page: "instruct" | "rest" | "countdown" | "consent" | "survey" | "thank";
+  mark: string;
+  remaining: number;
+  trial: number | null;
+  content: unknown;
+  lines: string[];
+  stick: [x: number, y: number, theta: number] | null;
+}
+
 /** Of the participant's screen, ms; `clock_ms` is how far off the numbers may be. */
 export interface Lag { trial: number; frames: number; median_ms: number; p99_ms: number; clock_ms: number }
 
@@ -46,7 +58,8 @@ export function momentOf(state: State, { start: [x, y, theta] }: Setting): Momen
   return { t, x: values.x ?? x, y: values.y ?? y, theta: values.theta ?? theta, value };
 }
 
-interface Told { state: State | null; lag: Lag | null }
+interface Said { dialogue: Dialogue; made: number }
+interface Told { state: State | Said | null; lag: Lag | null }
 interface Answered { clock: number; at: number }
 
 const SILENCE = 2000;
@@ -59,11 +72,13 @@ const ASK_CLOCK = 500;
 /** The connection to the server: the latest state, and a way to answer. It connects again by itself. */
 export class Live {
   state: State | null = null;
+  dialogue: Dialogue | null = null;
   lag: Lag | null = null;
   readonly clock = new ServerClock();
   private socket: WebSocket | null = null;
   private heardAt = performance.now();
   private lookedAt = performance.now();
+  private known = 0;
 
   constructor(private readonly onSetting: (setting: LiveSetting) => void) {
     this.connect();
@@ -99,15 +114,19 @@ export class Live {
         this.clock.learn(told.clock, told.at);
         return;
       }
-      if (told.state && told.state.trial !== this.state?.trial) void this.fetchSetting(told.state.trial);
-      if (told.state) this.say({ took: told.state.made });
-      this.state = told.state;
-      this.lag = told.lag;
+      const { state, lag } = told;
+      if (state) this.say({ took: state.made });
+      this.dialogue = state && "dialogue" in state ? state.dialogue : null;
+      this.state = state && "trial" in state ? state : null;
+      this.lag = lag;
+      const trial = this.state?.trial ?? this.dialogue?.trial;
+      if (trial && trial !== this.known) void this.fetchSetting(trial);
     });
     socket.addEventListener("close", () => setTimeout(() => this.connect(), AGAIN));
   }
 
   private async fetchSetting(trial: number): Promise<void> {
+    this.known = trial;
     const answer = await fetch(`/setting/${trial}`);
     if (answer.ok) this.onSetting((await answer.json()) as LiveSetting);
   }

@@ -8,6 +8,7 @@ import {
 import { COLLISION } from "./colours";
 import type { Moment, Setting } from "./film";
 import { Forces, Robot, Trail } from "./robot";
+import { signOver } from "./signs";
 import { sharpen } from "./textures";
 import { World } from "./world";
 
@@ -88,6 +89,14 @@ export class Stage {
       const dot = new Mesh(new CircleGeometry(0.06, 20), material);
       dot.position.set(x, y, 0.009);
       this.scene.add(dot);
+    }
+  }
+
+  /** Put up signs with what blocks are called. */
+  sign(words: { [block: string]: string }): void {
+    for (const [name, word] of Object.entries(words)) {
+      const block = this.world.block(name);
+      if (block) this.scene.add(signOver(block, word));
     }
   }
 

@@ -28,3 +28,8 @@ export function clock(t: number): string {
   const minutes = Math.floor(t / 60);
   return `${minutes}:${(t - 60 * minutes).toFixed(1).padStart(4, "0")}`;
 }
+
+/** Put what is to be told into a sentence's {places}. */
+export function fill(sentence: string, values: { [name: string]: string | number }): string {
+  return sentence.replace(/\{(\w+)\}/g, (place, name: string) => `${values[name] ?? place}`);
+}

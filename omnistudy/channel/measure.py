@@ -18,6 +18,9 @@ MEASURES: Mapping[str, str] = {
     "late_fields": "1",
     "recorded_rows": "1",
     "lost_rows": "1",
+    "display_frames": "1",
+    "display_lag_p50": "s",
+    "display_lag_p99": "s",
 }
 """Unit of every measure; docs/database.md says what each means."""
 SATURATED = "saturated_"

@@ -83,7 +83,7 @@ def free(
     parts = DriveParts(world, device, law, controller, plant, route, hand, minutes, seed)
     make_drive(parts, path)
     try:
-        run_with_pages(path, open_browser=open_browser)
+        run_with_pages(path, open_browser=open_browser, pauses=False)
     except BaseException as end:
         if driven(path) is None:  # nothing was driven: there is nothing to keep
             path.unlink()

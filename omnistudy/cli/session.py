@@ -100,6 +100,13 @@ def run(
     open_browser: Annotated[
         bool, typer.Option("--open/--no-open", help="Open the live pages in the browser.")
     ] = True,
+    pauses: Annotated[
+        bool,
+        typer.Option(
+            "--pauses/--no-pauses",
+            help="Show instructions, countdown and rests between live trials.",
+        ),
+    ] = True,
     dry_run: Annotated[
         bool, typer.Option("--dry-run", help="Say how many trials would run, and run none.")
     ] = False,
@@ -127,6 +134,7 @@ def run(
                 limit=trials,
                 protocol=protocol,
                 open_browser=open_browser,
+                pauses=pauses,
                 finished=advance,
             )
     else:

@@ -61,3 +61,23 @@ class AlwaysVoid(OmnistudyError):
             f"trial {position} of {participant} was void {attempts} times in a row, the last time "
             f"because {cause}; mend that, then run the session again: another attempt is planned"
         )
+
+
+class NobodyAnswers(OmnistudyError):
+    """A page that waited for a person in vain."""
+
+    def __init__(self, page: str, patience_s: float) -> None:
+        super().__init__(
+            f"the {page} page waited {patience_s / 60.0:.0f} minutes for an answer: what was "
+            "driven is kept; run the command again when somebody is there"
+        )
+
+
+class StoppedBetweenTrials(OmnistudyError):
+    """A participant who pressed stop on a page between two trials."""
+
+    def __init__(self, page: str) -> None:
+        super().__init__(
+            f"stop was pressed on the {page} page: what was driven is kept; run the command again "
+            "to go on with the next trial"
+        )

@@ -24,3 +24,13 @@ class BrokenInstrument(OmnistudyError):
         super().__init__("\n".join(faults))
         self.page = page
         self.faults = tuple(faults)
+
+
+class AnswersDoNotFit(OmnistudyError):
+    """Answers that the instrument's questions do not allow."""
+
+    def __init__(self, instrument: str, faults: Sequence[str]) -> None:
+        super().__init__(
+            f"the answers do not fit survey '{instrument}': {'; '.join(faults)}: ask it again"
+        )
+        self.faults = tuple(faults)

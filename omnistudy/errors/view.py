@@ -120,6 +120,6 @@ class NoScreenSentences(OmnistudyError):
     def __init__(self, study: Path, language: str) -> None:
         super().__init__(
             f"the protocol of '{study}' holds no sentences for the participant's screen in "
-            f"language '{language}': create the study anew with messages.screen, as "
-            "conf/messages/en.yaml has it"
+            f"language '{language}': create the study anew with messages.screen and "
+            "messages.pages, as conf/messages/en.yaml has them"
         )

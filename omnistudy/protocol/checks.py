@@ -135,11 +135,30 @@ def _ethics(protocol: Protocol) -> Iterator[str]:
 
 def _screen(protocol: Protocol) -> Iterator[str]:
     messages = protocol.messages
-    if protocol.participants.kind == "human" and messages.screen is None:
-        yield (
-            f"messages.screen: people look at a screen, and its sentences are missing in language "
-            f"'{messages.language}': translate those of conf/messages/en.yaml"
-        )
+    if protocol.participants.kind != "human":
+        return
+    for part in ("screen", "pages"):
+        if getattr(messages, part) is None:
+            yield (
+                f"messages.{part}: people look at a screen, and its sentences are missing in "
+                f"language '{messages.language}': translate those of conf/messages/en.yaml"
+            )
+
+
+def _block_words(protocol: Protocol) -> Iterator[str]:
+    messages = protocol.messages
+    if protocol.participants.kind != "human":
+        return
+    worded = {block.name for block in messages.blocks}
+    for world in _worlds(protocol):
+        legs = chain.from_iterable(route.legs for route in world.routes)
+        for target in dict.fromkeys(leg.target for leg in legs):
+            if target not in worded:
+                yield (
+                    f"messages.blocks.{target}: world '{world.name}' has this block, and language "
+                    f"'{messages.language}' has no word for it: colours alone tell some people "
+                    "nothing"
+                )
 
 
 def _worlds(protocol: Protocol) -> tuple[World, ...]:
@@ -167,5 +186,6 @@ CHECKS = (
     Check(("participants",), _participants),
     Check(("site", "participants"), _ethics),
     Check(("messages", "participants"), _screen),
+    Check(("messages", "participants", "world"), _block_words),
 )
 """Everything that is looked for, in the order of the page."""

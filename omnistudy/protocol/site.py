@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from omnistudy.registry import Model
-from omnistudy.units import Metres, Positive, Radians
+from omnistudy.units import Metres, Positive, Radians, Seconds
 
 
 class Ethics(Model):
@@ -36,11 +36,22 @@ class FirstPerson(Model):
     """Draw the law's force on the robot too: feedback for the eye."""
 
 
+class Scanning(Model):
+    """One switch for everything: choices are lit in turn, the switch takes the lit one (ours)."""
+
+    one_switch: bool = False
+    """Whether any key, switch or touch takes the choice that is lit."""
+    pace: Annotated[Seconds, Field(ge=0.3, le=20.0)] = 1.5
+    """How long each choice is lit."""
+
+
 class Site(Model):
-    """Approval and display of one laboratory."""
+    """Approval, display and access of one laboratory."""
 
     ethics: Ethics
     display: str = ""
     """What participants look at, in words."""
     first_person: FirstPerson = FirstPerson()
     """How the world is shown to them."""
+    scanning: Scanning = Scanning()
+    """How those work the pages who can use one switch."""

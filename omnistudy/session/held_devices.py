@@ -9,6 +9,7 @@ from typing import NamedTuple, Self
 
 from omnistudy.channel import Measure, measured
 from omnistudy.devices import Device, Identity, RunningDevice
+from omnistudy.devices.handheld.axes import Travel
 from omnistudy.devices.real_time import before_others
 from omnistudy.devices.remote_device import RemoteDevice
 from omnistudy.store.process import Recorder
@@ -16,6 +17,8 @@ from omnistudy.store.row_writer import StreamHead
 
 STREAM = "stick"
 """Name of the stream that holds every tick of a device with a process of its own."""
+FULL = (Travel().x, Travel().y, Travel().theta)
+"""Full deflection of the axes, m, m, rad."""
 
 
 class _Apart(NamedTuple):
@@ -41,6 +44,7 @@ class HeldDevices:
         self._apart: _Apart | None = None
         self._ailed = False
         self._deaths = 0
+        self._trial = 0
         self._expected: Identity | None = None
         self._findings: tuple[Measure, ...] = ()
 
@@ -81,9 +85,24 @@ class HeldDevices:
 
     def open_trial(self, trial: int) -> None:
         """Say that a trial begins with the device that was taken."""
+        self._trial = trial
         if self._apart is not None:
             self._deaths = self._apart.recorder.deaths
             self._apart.remote.open_trial(trial)
+
+    def measures(self) -> tuple[Measure, ...]:
+        """Tell how well the trial that is running is served so far."""
+        return self._apart.remote.measures(self._trial) if self._apart is not None else ()
+
+    def deflection(self) -> tuple[float, float, float] | None:
+        """Give where the stick stands in parts of its full deflection, -1..1; None without one."""
+        position = self._apart.remote.report.state.position if self._apart is not None else ()
+        if len(position) != len(FULL):
+            return None
+        x, y, theta = (
+            max(-1.0, min(1.0, place / full)) for place, full in zip(position, FULL, strict=True)
+        )
+        return (x, y, theta)
 
     def undisturbed(self) -> AbstractContextManager[None]:
         """Let the simulation run before other programs while a device waits for its fields."""

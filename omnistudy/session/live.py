@@ -69,13 +69,20 @@ def run_live(
     specs: Iterable[TrialSpec],
     accompany: Accompany,
     devices: HeldDevices,
+    before: Callable[[StoredTrial], None] = lambda trial: None,
 ) -> Iterator[TrialResult]:
     """Run trials one after the other in this process, each with its companion and its device.
 
     What companion and devices remark is stored as events at the trial's end. Ctrl-C aborts the
     trial, which is given whole; what asks for the next one then gets KeyboardInterrupt.
+
+    before : called ahead of each trial, which is not begun while it lasts: what it raises leaves
+        the trial planned.
     """
-    for trial, spec in zip(trials, specs, strict=True):
+    waiting = iter(specs)
+    for trial in trials:
+        before(trial)
+        spec = next(waiting)
         companion = accompany(trial)
         held = devices.take(spec.device, spec.recording.physics_hz)
         devices.open_trial(trial.id)

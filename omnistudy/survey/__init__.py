@@ -1,5 +1,7 @@
 """Instruments: what people are asked, in whose words; asks nobody."""
 
+from omnistudy.survey.answers import Answer, Answers
+from omnistudy.survey.consent_form import Asked, ConsentAnswer, ConsentForm, Section
 from omnistudy.survey.find import (
     InstrumentEntry,
     instrument_file,
@@ -21,7 +23,12 @@ from omnistudy.survey.scale import Anchor, Scale
 
 __all__ = [
     "Anchor",
+    "Answer",
+    "Answers",
+    "Asked",
     "ChoiceItem",
+    "ConsentAnswer",
+    "ConsentForm",
     "Instrument",
     "InstrumentEntry",
     "Item",
@@ -30,6 +37,7 @@ __all__ = [
     "Option",
     "Question",
     "Scale",
+    "Section",
     "TextItem",
     "instrument_file",
     "instrument_names",

@@ -1,6 +1,7 @@
 """What is to be done: start, events, success, end."""
 
-from omnistudy.tasks.messages import Messages, Screen
+from omnistudy.tasks.messages import Called, Messages, Screen
+from omnistudy.tasks.pages import Pages
 from omnistudy.tasks.task import Progress, RunningTask, Task
 
-__all__ = ["Messages", "Progress", "RunningTask", "Screen", "Task"]
+__all__ = ["Called", "Messages", "Pages", "Progress", "RunningTask", "Screen", "Task"]

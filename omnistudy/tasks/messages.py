@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Annotated, Any
+
+from pydantic import BeforeValidator, Field
+
 from omnistudy.registry import Model
+from omnistudy.tasks.pages import Pages
 
 
 class Screen(Model):
@@ -11,7 +16,7 @@ class Screen(Model):
     waiting: str
     """Between two trials."""
     next_target: str
-    """Beside the colour of the block to be reached next."""
+    """Beside the colour and the name of the block to be reached next."""
     stop: str
     """On the button that ends the trial."""
     stopped: str
@@ -22,6 +27,22 @@ class Screen(Model):
     """When the browser cannot draw the world."""
     scene: str
     """What the picture shows, for those who cannot see it."""
+
+
+class Called(Model):
+    """What a block of a world is called, so that nobody needs to tell colours apart."""
+
+    name: Annotated[str, Field(min_length=1)]
+    """In the world's page."""
+    word: Annotated[str, Field(min_length=1)]
+    """On the screen."""
+
+
+def _listed(given: Any) -> Any:
+    """Read a mapping from a block's name to its word."""
+    if not isinstance(given, dict):
+        return given
+    return [{"name": name, "word": word} for name, word in given.items()]
 
 
 class Messages(Model):
@@ -38,3 +59,7 @@ class Messages(Model):
     """At the finish; `{number}` is the total of collisions."""
     screen: Screen | None = None
     """None: only where nobody looks at a screen."""
+    blocks: Annotated[tuple[Called, ...], BeforeValidator(_listed)] = ()
+    """A mapping from the name of a block in the world to the word for it."""
+    pages: Pages | None = None
+    """What is read between trials; None: only where nobody looks at a screen."""

@@ -1,9 +1,17 @@
-"""What the pages of a live trial answer to the session: stop, and how late its picture was."""
+"""What the pages of a session answer to it: stop, how late the picture was, what was asked."""
 
 from __future__ import annotations
 
+from typing import Annotated
+
+from pydantic import Field
+
 from omnistudy.channel import LatestValue
 from omnistudy.registry import Model
+from omnistudy.survey import Answer as ItemAnswer
+
+MOST_ITEMS = 100
+"""Answers that one page may give."""
 
 
 class Lag(Model):
@@ -24,6 +32,18 @@ class Lag(Model):
     clock_ms: float
 
 
+class Said(Model):
+    """What the person said to a page between trials; which parts count depends on the page."""
+
+    to: str
+    """Mark of the page."""
+    stopped: bool = False
+    """Whether the stop button was pressed there."""
+    agreed: bool = False
+    ticked: Annotated[tuple[str, ...], Field(max_length=MOST_ITEMS)] = ()
+    given: Annotated[tuple[ItemAnswer, ...], Field(max_length=MOST_ITEMS)] = ()
+
+
 class Answer(Model):
     """The latest of what the server knows from its pages."""
 
@@ -31,6 +51,8 @@ class Answer(Model):
     """Number of the trial that is to end."""
     lag: Lag | None = None
     """Of the participant's screen."""
+    said: Said | None = None
+    """By the participant."""
 
     @classmethod
     def latest(cls, source: LatestValue) -> Answer:

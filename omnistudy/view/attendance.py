@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from multiprocessing import get_context, parent_process
@@ -12,21 +12,44 @@ from pathlib import Path
 from threading import Thread
 
 from omnistudy.channel import LatestValue
+from omnistudy.devices.handheld.keyboard import keys_file
 from omnistudy.errors.view import ServerFailed
 from omnistudy.store import StoredTrial
-from omnistudy.view.live_files import CAPACITY, answer_file, state_file
-from omnistudy.view.publisher import Publisher
+from omnistudy.view.live_files import (
+    CAPACITY,
+    KEYS_CAPACITY,
+    answer_file,
+    state_file,
+)
+from omnistudy.view.page_dialogue import PATIENCE_S, Meeting, PageDialogue, Stick
+from omnistudy.view.publisher import Publisher, Served
 
-PATIENCE_S = 60.0
+START_S = 60.0
 """How long the server may take to start."""
 
 
 @dataclass(frozen=True, slots=True)
 class Attendance:
-    """Where the pages are, and what goes along with each trial."""
+    """Where the pages are, what goes along with each trial, and who speaks between two."""
 
     address: str
-    accompany: Callable[[StoredTrial], Publisher]
+    meeting: Meeting
+
+    def accompany(self, trial: StoredTrial, served: Served = lambda: ()) -> Publisher:
+        """Give what goes along with a trial; `served` tells how its device serves it."""
+        return Publisher(trial.id, *self.meeting(), served)
+
+    def converse(
+        self,
+        *,
+        automatic_s: float | None = None,
+        patience_s: float = PATIENCE_S,
+        stick: Stick | None = None,
+    ) -> PageDialogue:
+        """Give who speaks on the participant's page; the parameters are `PageDialogue`'s."""
+        return PageDialogue(
+            self.meeting, automatic_s=automatic_s, patience_s=patience_s, stick=stick
+        )
 
 
 @contextmanager
@@ -37,15 +60,16 @@ def attended(study: Path, *, port: int = 0, token: str | None = None) -> Iterato
     """
     made: list[LatestValue] = []
 
-    def accompany(trial: StoredTrial) -> Publisher:
-        if not made:  # only now the study is surely no other session's
-            made.extend(LatestValue(file(study), CAPACITY) for file in (state_file, answer_file))
-        state, answer = made
-        return Publisher(trial.id, state, answer)
+    def meeting() -> tuple[LatestValue, LatestValue]:
+        if not made:  # only at the first trial the study is surely no other session's
+            made.append(LatestValue(state_file(study), CAPACITY))
+            made.append(LatestValue(answer_file(study), CAPACITY))
+            made.append(LatestValue(keys_file(study), KEYS_CAPACITY))
+        return made[0], made[1]
 
     try:
         with _server(study, port, token) as address:
-            yield Attendance(address, accompany)
+            yield Attendance(address, meeting)
     finally:
         for value in made:
             value.remove()
@@ -60,7 +84,7 @@ def _server(study: Path, port: int, token: str | None) -> Iterator[str]:
     telling.close()
     try:
         try:
-            address = str(hearing.recv()) if hearing.poll(PATIENCE_S) else ""
+            address = str(hearing.recv()) if hearing.poll(START_S) else ""
         except EOFError:
             address = ""
         if not address:

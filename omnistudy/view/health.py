@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from math import inf
+
+from omnistudy.channel import measure
 
 REMEMBERED_S = 5.0
 """How long a late step is something to look at (ours)."""
@@ -22,6 +25,34 @@ class Measure:
     value: float
     unit: str
     ok: bool
+
+
+DEVICE_LIMITS: Mapping[str, float] = {
+    "turn_lateness_p99": 0.005,
+    "dropped_frames": 0.0,
+    "damaged_frames": 0.0,
+    "late_fields": 0.0,
+}
+"""Greatest value of a device's measures at which nobody need look (ours)."""
+SATURATED_SHARE = 0.2
+"""Share of its ticks that an axis may push with all it has before somebody should look (ours)."""
+
+
+def device_health(measures: Iterable[measure.Measure]) -> tuple[Measure, ...]:
+    """Give what an experimenter should know of the device among what it tells of a trial."""
+    return tuple(_judged(*told) for told in measures if _limit(told.name) is not None)
+
+
+def _limit(name: str) -> float | None:
+    return SATURATED_SHARE if name.startswith(measure.SATURATED) else DEVICE_LIMITS.get(name)
+
+
+def _judged(name: str, value: float, unit: str) -> Measure:
+    ok = value <= (_limit(name) or 0.0)
+    words = name.replace("_", " ")
+    if unit == "s":
+        return Measure(words, 1000.0 * value, "ms", ok)
+    return Measure(words, value, "", ok)
 
 
 class LoopHealth:

@@ -1,11 +1,14 @@
-"""Where a running session and the server of its pages meet: two small files beside the study."""
+"""Where a running session and the server of its pages meet: small files beside the study."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
-CAPACITY = 65_536
-"""Bytes that one state may have; a scan of 128 rays makes some 3,000."""
+CAPACITY = 262_144
+"""Bytes that one state or answer may have; a scan of 128 rays makes some 3,000, a questionnaire of
+twenty items 10,000."""
+KEYS_CAPACITY = 4096
+"""Bytes that the held keys may have."""
 
 
 def state_file(study: Path) -> Path:

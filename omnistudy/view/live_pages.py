@@ -15,11 +15,13 @@ from starlette.routing import BaseRoute, Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from omnistudy.channel import LatestValue
+from omnistudy.devices.handheld.keyboard import keys_file
 from omnistudy.errors.view import NoScreenSentences
 from omnistudy.store import open_study
 from omnistudy.study.frozen import frozen_protocol
-from omnistudy.view.answer import Answer, Lag
+from omnistudy.view.answer import Answer, Lag, Said
 from omnistudy.view.guard import HEADERS
+from omnistudy.view.held_keys import HeldKeys
 from omnistudy.view.live_files import answer_file, state_file
 from omnistudy.view.live_setting import live_setting
 from omnistudy.view.page import live_page
@@ -41,6 +43,7 @@ class LivePages:
         self._answer = Answer()
         self._screen_lag = ScreenLag()
         self._told_at = 0.0
+        self._keys = HeldKeys()
 
     @property
     def routes(self) -> list[BaseRoute]:
@@ -56,12 +59,15 @@ class LivePages:
         with open_study(self._study) as opened:
             protocol = frozen_protocol(opened.study)
         messages = protocol.messages
-        if messages.screen is None:
+        if messages.screen is None or messages.pages is None:
             raise NoScreenSentences(self._study, messages.language)
         content = {
             "language": messages.language,
             "screen": messages.screen.model_dump(),
+            "pages": messages.pages.model_dump(),
+            "blocks": {block.name: block.word for block in messages.blocks},
             "eye": protocol.site.first_person.model_dump(),
+            "scanning": protocol.site.scanning.model_dump(),
         }
         page = live_page("participant", messages.screen.scene, content)
         return HTMLResponse(page, headers=HEADERS)
@@ -84,6 +90,7 @@ class LivePages:
         with suppress(WebSocketDisconnect, RuntimeError):
             await self._tell(socket, hearing, ready)
         hearing.cancel()
+        self._hold(id(socket), ())
 
     async def _tell(
         self, socket: WebSocket, hearing: asyncio.Task[None], ready: asyncio.Event
@@ -119,6 +126,10 @@ class LivePages:
                 said = json.loads(await socket.receive_text())
                 if "stop" in said:
                     self._say(stop=int(said["stop"]))
+                if "said" in said:
+                    self._say(said=Said.model_validate(said["said"]))
+                if "keys" in said:
+                    self._hold(id(socket), tuple(map(str, said["keys"])))
                 if "took" in said:
                     ready.set()
                 if "clock" in said:
@@ -134,12 +145,23 @@ class LivePages:
             self._told_at = time.monotonic()
             self._say(lag=self._screen_lag.lag())
 
-    def _say(self, stop: int | None = None, lag: Lag | None = None) -> None:
+    def _hold(self, page: int, codes: tuple[str, ...]) -> None:
+        """Tell the device which keys are held; a session without pages yet has no such file."""
+        held = self._keys.hold(page, codes)
+        if self._answering and keys_file(self._study).exists():
+            with LatestValue(keys_file(self._study)) as keys:
+                keys.write(held)
+
+    def _say(
+        self, stop: int | None = None, lag: Lag | None = None, said: Said | None = None
+    ) -> None:
         """Tell the session."""
         if not self._answering:
             return
         self._answer = Answer(
-            stop=self._answer.stop if stop is None else stop, lag=lag or self._answer.lag
+            stop=self._answer.stop if stop is None else stop,
+            lag=lag or self._answer.lag,
+            said=said or self._answer.said,
         )
         with LatestValue(answer_file(self._study)) as answer:
             answer.write(self._answer.model_dump_json().encode())

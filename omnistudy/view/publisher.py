@@ -3,30 +3,45 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable, Iterable
 from math import isfinite
 
 import numpy as np
 from pydantic_core import to_json
 
-from omnistudy.channel import Channel, LatestValue
+from omnistudy import channel
+from omnistudy.channel import Channel, LatestValue, measured
 from omnistudy.session.live import RealTime
 from omnistudy.trial import Glimpse
 from omnistudy.view.answer import Answer
 from omnistudy.view.captions import Captions
-from omnistudy.view.health import LoopHealth, Measure
+from omnistudy.view.health import LoopHealth, Measure, device_health
 
 LAST_EVENTS = 12
 """Events that a state carries: a page may have missed those before."""
 WRENCH = ("fx", "fy", "tau")
 
 Place = tuple[float, float]
+Served = Callable[[], Iterable[channel.Measure]]
+DEVICE_EVERY_S = 0.5
+"""How often the device is asked: its quantiles are counted out each time."""
 
 
 class Publisher(RealTime):
     """Keeps a trial at the wall clock's pace and puts its state where the server finds it."""
 
-    def __init__(self, trial: int, state: LatestValue, answer: LatestValue) -> None:
+    def __init__(
+        self,
+        trial: int,
+        state: LatestValue,
+        answer: LatestValue,
+        served: Served = lambda: (),
+    ) -> None:
+        """Take the trial's number and its files; `served` tells how its device serves it."""
         super().__init__()
+        self._served = served
+        self._device: tuple[Measure, ...] = ()
+        self._device_due = 0.0
         self._trial = trial
         self._state = state
         self._answer = answer
@@ -67,6 +82,18 @@ class Publisher(RealTime):
         self._shown["status"] = status
         self._write()
 
+    def measures(self) -> tuple[channel.Measure, ...]:
+        """Tell how well the pace was kept, and how the participant's screen lagged."""
+        lag = Answer.latest(self._answer).lag
+        if lag is None or lag.trial != self._trial:
+            return super().measures()
+        return (
+            *super().measures(),
+            measured("display_frames", lag.frames),
+            measured("display_lag_p50", lag.median_ms / 1000.0),
+            measured("display_lag_p99", lag.p99_ms / 1000.0),
+        )
+
     def remarks(self) -> tuple[tuple[str, str], ...]:
         """Tell how late steps and the participant's screen were."""
         lag = Answer.latest(self._answer).lag
@@ -85,7 +112,11 @@ class Publisher(RealTime):
 
     def _health(self, t: float) -> tuple[Measure, ...]:
         """Give what the experimenter should know of the trial's parts."""
-        return self._loop.measures(t, self.late, time.monotonic() - self._opened - t)
+        if t >= self._device_due:
+            self._device_due = t + DEVICE_EVERY_S
+            self._device = device_health(self._served())
+        behind = time.monotonic() - self._opened - t
+        return (*self._loop.measures(t, self.late, behind), *self._device)
 
     def _write(self) -> None:
         stamped = {**self._shown, "made": time.monotonic()}

@@ -137,3 +137,40 @@ def test_a_robot_that_is_too_wide_is_told_in_a_few_lines() -> None:
     found = faults("plant.half_width=0.6")
     assert len(found) == 6
     assert found[-1].endswith("`omnistudy world check utah2017` tells them all")
+
+
+HUMAN = (
+    "participants.kind=human",
+    "participants.study_key=''",
+    "participants.participant_key=''",
+    "site.ethics.status=approved",
+    "site.ethics.board=IRB",
+    "site.ethics.number=A1",
+)
+
+
+@pytest.mark.parametrize(
+    ("override", "fault"),
+    [
+        ("~messages.screen", "messages.screen: people look at a screen"),
+        ("~messages.pages", "messages.pages: people look at a screen"),
+        ("~messages.pages.consent.agree", "messages.pages.consent.agree: is missing"),
+        ("~messages.pages.survey", "messages.pages.survey: is missing"),
+        ("~messages.screen.stop", "messages.screen.stop: is missing"),
+        (
+            "messages.pages.survey.step='Item {number}'",
+            "messages.pages.survey.step: given 'Item {number}', but the sentence must hold",
+        ),
+        ("~messages.blocks.green", "messages.blocks.green: world 'utah2017' has this block"),
+    ],
+)
+def test_a_sentence_that_a_language_lacks_is_found(override: str, fault: str) -> None:
+    (found,) = faults(*HUMAN, override)
+    assert found.startswith(fault)
+    if "is missing" not in fault and "given" not in fault:
+        assert "language 'en'" in found
+
+
+def test_a_complete_language_has_no_faults() -> None:
+    protocol = compose_protocol("utah2017_component", ["messages=de", *HUMAN])
+    assert protocol.messages.language == "de"

@@ -45,9 +45,9 @@ makes no difference to that. (Chromium's CPU throttling slows by a factor, to no
 
 
 @contextmanager
-def session(study: Path) -> Iterator[tuple[str, str, subprocess.Popen[str]]]:
+def session(study: Path, *options: str) -> Iterator[tuple[str, str, subprocess.Popen[str]]]:
     """Run one trial live; gives the addresses of the participant's page and of the monitor."""
-    arguments = ("session", "run", str(study), "--trials", "1", "--live", "--no-open")
+    arguments = ("session", "run", str(study), "--trials", "1", "--live", "--no-open", *options)
     with subprocess.Popen(
         [sys.executable, "-c", COMMAND, *arguments], stderr=subprocess.PIPE, text=True
     ) as process:
@@ -76,7 +76,7 @@ def events(study: StudyFile) -> list[Event]:
 
 @pytest.mark.slow
 def test_sentences_appear_when_their_events_happen(study: Path, chromium: Browser) -> None:
-    with session(study) as (participant, _, process):
+    with session(study, "--no-pauses") as (participant, _, process):
         screen = opened(chromium, participant)
         screen.value(RECORD)
         screen.wait_for("document.querySelector('.message').textContent.startsWith('Drive away')")
@@ -127,13 +127,20 @@ def opened(running: Browser, address: str, before: str = "") -> Tab:
 
 
 @pytest.mark.slow
-def test_stop_is_a_key_away_and_ends_the_trial(study: Path, chromium: Browser) -> None:
+@pytest.mark.parametrize(("one_switch", "key"), [(False, "Enter"), (True, "F9")])
+def test_stop_is_a_key_away_and_ends_the_trial(
+    tmp_path: Path, chromium: Browser, one_switch: bool, key: str
+) -> None:
+    study = tmp_path / "seen.db"
+    overrides = (*SHORT, f"site.scanning.one_switch={one_switch}", "site.scanning.pace=0.3")
+    create_study(compose_protocol("utah2017_component", overrides), study, "seen")
     with session(study) as (participant, _, process):
         tab = opened(chromium, participant)
         tab.wait_for(f"({STATE}?.t ?? 0) > 1 && !document.querySelector('.stop').disabled")
-        assert tab.value("document.activeElement.className") == "stop"
+        tab.wait_for("document.activeElement.matches('.stop')")
+        text = {"text": "\r"} if key == "Enter" else {}
         for kind in ("keyDown", "keyUp"):
-            tab.ask("Input.dispatchKeyEvent", type=kind, key="Enter", code="Enter", text="\r")
+            tab.ask("Input.dispatchKeyEvent", type=kind, key=key, code=key, **text)
         tab.wait_for("document.querySelector('.message').textContent.startsWith('Stopped')")
         assert process.wait(timeout=60) == 0
     with omnistudy.open(study) as stored:
@@ -198,3 +205,58 @@ def test_without_webgl_the_monitor_still_has_its_numbers(
         told = watch.value("document.querySelector('.seen').innerText")
         assert told.startswith("This browser draws no WebGL")
         assert watch.faults == []
+
+
+CUE = """
+window.cues = [];
+new MutationObserver(() => {
+  const state = window.participant.live.state;
+  const cue = document.querySelector('.cue');
+  if (state && !cue.hidden) window.cues.push([state.t, cue.querySelector('strong').textContent]);
+}).observe(document.querySelector('.cue'), {childList: true, subtree: true});
+"""
+
+
+@pytest.mark.slow
+def test_the_next_block_is_named_and_changes_when_it_is_touched(
+    tmp_path: Path, chromium: Browser
+) -> None:
+    study = tmp_path / "seen.db"
+    there_and_back = ("world=primitive_a", "routes=[in-and-out]", *SHORT[2:])
+    create_study(compose_protocol("utah2017_component", there_and_back), study, "seen")
+    with session(study, "--no-pauses") as (participant, _, process):
+        screen = opened(chromium, participant)
+        screen.value(CUE)
+        screen.wait_for("document.querySelector('.cue')?.textContent === 'Next block: finish'", 120)
+        told = "document.querySelector('.message').textContent"
+        screen.wait_for(f"/^Good Job\\nMove to Next Block/m.test({told})", 10)
+        assert process.wait(timeout=180) == 0
+        cues = screen.value("window.cues")
+        assert screen.faults == []
+    with omnistudy.open(study) as stored:
+        touched = next(event.t for event in events(stored) if event.kind == "block")
+        drawn = [event.detail for event in events(stored) if event.kind == "display"]
+    assert [word for _, word in cues] == ["green", "finish"]
+    assert cues[0][0] < touched <= cues[1][0] < touched + 1.0
+    assert drawn
+
+
+@pytest.mark.slow
+def test_between_two_trials_there_is_a_rest_with_the_result(study: Path, chromium: Browser) -> None:
+    with session(study, "--trials", "2") as (participant, _, process):
+        screen = opened(chromium, participant)
+        screen.wait_for("document.querySelector('.result') !== null", 180)
+        text = screen.value("document.querySelector('.sheet').textContent")
+        assert re.search(r"Round Complete - Total Collision = \d+", text)
+        assert "Time to rest" in text
+        for kind in ("keyDown", "keyUp"):
+            screen.ask("Input.dispatchKeyEvent", type=kind, key="Enter", code="Enter", text="\r")
+        screen.wait_for("document.querySelector('.count') !== null", 20)
+        screen.value("document.querySelector('.stop').click()")
+        assert process.wait(timeout=60) == 1
+        assert process.stderr is not None
+        assert "stop was pressed on the countdown page" in process.stderr.read()
+    with omnistudy.open(study) as stored:
+        statuses = list(stored.trials()["status"])
+    assert statuses[0] == "completed"
+    assert set(statuses[1:]) == {"planned"}

@@ -77,8 +77,7 @@ class Checks(NamedTuple):
 def findings(checks: Checks) -> tuple[Measure, ...]:
     """Give what was found as numbers to be stored: 1 passed, 0 failed, and counts of drift."""
     outcomes = [
-        Measure(f"check_{_as_name(one.what)}", float(one.sound), "1")
-        for one in checks.findings
+        Measure(f"check_{_as_name(one.what)}", float(one.sound), "1") for one in checks.findings
     ]
     drift = [
         Measure(f"zero_shift_{axis}", float(shift), "count")
