@@ -38,7 +38,7 @@ bench-arm: $(INSTALLED)  ## Measure the arm's controllers: success over random t
 	@$(BIN)/python benchmarks/arm.py
 
 bench-view: $(INSTALLED)  ## Measure the replay page: how soon it opens, how evenly it plays; prints JSON
-	@$(BIN)/python benchmarks/view.py
+	@$(BIN)/python benchmarks/replay_page.py
 
 bench-stick: $(INSTALLED)  ## Measure the stick: firmware's latency and cycles, largest stiffness, live jitter, page
 	@$(BIN)/python benchmarks/stick.py
