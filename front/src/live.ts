@@ -12,12 +12,12 @@ export interface State {
   collisions: number;
   events: [number, string, string][];
   rays: [from: [number, number], to: [number, number]][];
-  health: Measure[];
+  health: Reading[];
   status: string;
   made: number;
 }
 
-export interface Measure { name: string; value: number; unit: string; ok: boolean }
+export interface Reading { name: string; value: number; unit: string; ok: boolean }
 
 /** Of the participant's screen, ms; `clock_ms` is how far off the numbers may be. */
 export interface Lag { trial: number; frames: number; median_ms: number; p99_ms: number; clock_ms: number }
@@ -100,7 +100,7 @@ export class Live {
         return;
       }
       if (told.state && told.state.trial !== this.state?.trial) void this.fetchSetting(told.state.trial);
-      if (told.state) this.say({ took: told.state.made });
+      if (told.state) this.say({ took: true });
       this.state = told.state;
       this.lag = told.lag;
     });

@@ -12,7 +12,7 @@ BEHIND_S = 0.05
 
 
 @dataclass(frozen=True, slots=True)
-class Measure:
+class Reading:
     """One number of a part of a live trial.
 
     ok : False where somebody should look.
@@ -31,7 +31,7 @@ class LoopHealth:
         self._late = 0
         self._late_at = -inf
 
-    def measures(self, t: float, late: int, behind: float) -> tuple[Measure, ...]:
+    def readings(self, t: float, late: int, behind: float) -> tuple[Reading, ...]:
         """Give what there is to say at t s of the trial.
 
         late : late steps so far. behind : s that the trial is behind the clock on the wall.
@@ -39,6 +39,6 @@ class LoopHealth:
         if late > self._late:
             self._late, self._late_at = late, t
         return (
-            Measure("late steps", late, "", t - self._late_at > REMEMBERED_S),
-            Measure("behind the clock", max(0.0, 1000.0 * behind), "ms", behind <= BEHIND_S),
+            Reading("late steps", late, "", t - self._late_at > REMEMBERED_S),
+            Reading("behind the clock", max(0.0, 1000.0 * behind), "ms", behind <= BEHIND_S),
         )

@@ -13,7 +13,7 @@ from omnistudy.session.live import RealTime
 from omnistudy.trial import Glimpse
 from omnistudy.view.answer import Answer
 from omnistudy.view.captions import Captions
-from omnistudy.view.health import LoopHealth, Measure
+from omnistudy.view.health import LoopHealth, Reading
 
 LAST_EVENTS = 12
 """Events that a state carries: a page may have missed those before."""
@@ -83,9 +83,9 @@ class Publisher(RealTime):
         """Whether somebody pressed stop during this trial."""
         return Answer.latest(self._answer).stop == self._trial
 
-    def _health(self, t: float) -> tuple[Measure, ...]:
+    def _health(self, t: float) -> tuple[Reading, ...]:
         """Give what the experimenter should know of the trial's parts."""
-        return self._loop.measures(t, self.late, time.monotonic() - self._opened - t)
+        return self._loop.readings(t, self.late, time.monotonic() - self._opened - t)
 
     def _write(self) -> None:
         stamped = {**self._shown, "made": time.monotonic()}
