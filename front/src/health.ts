@@ -1,6 +1,6 @@
 /** How well each part of a live trial does: a number, and whether to look at it. */
 
-import type { Lag, Measure } from "./live";
+import type { Lag, Reading } from "./live";
 import { make } from "./words";
 
 const AGED = 100;
@@ -9,8 +9,8 @@ const LAGGING_AT_WORST = 250;
 /** ms above which somebody should look (ours). */
 
 /** What the page itself knows of the participant's screen and of the connection. */
-export function measured(lag: Lag | null, age: number): Measure[] {
-  const screen: Measure[] = lag ? [
+export function measured(lag: Lag | null, age: number): Reading[] {
+  const screen: Reading[] = lag ? [
     { name: "screen lag, median", value: lag.median_ms, unit: "ms", ok: lag.median_ms <= LAGGING },
     { name: "screen lag, p99", value: lag.p99_ms, unit: "ms", ok: lag.p99_ms <= LAGGING_AT_WORST },
     { name: "frames shown", value: lag.frames, unit: "", ok: true },
@@ -29,10 +29,10 @@ export class Health {
       make("table", { class: "health" }, make("thead", {}, make("tr", {}, ...heads)), this.body));
   }
 
-  show(measures: Measure[]): void {
-    const names = measures.map(({ name }) => name);
+  show(readings: Reading[]): void {
+    const names = readings.map(({ name }) => name);
     if (names.join() !== this.rows.map(([name]) => name).join()) this.layOut(names);
-    measures.forEach(({ value, unit, ok }, i) => {
+    readings.forEach(({ value, unit, ok }, i) => {
       const [, figure, state] = this.rows[i]!;
       const digits = Number.isInteger(value) ? 0 : 1;
       figure.textContent = `${value.toFixed(digits)} ${unit}`.trim();

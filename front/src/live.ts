@@ -12,12 +12,12 @@ export interface State {
   collisions: number;
   events: [number, string, string][];
   rays: [from: [number, number], to: [number, number]][];
-  health: Measure[];
+  health: Reading[];
   status: string;
   made: number;
 }
 
-export interface Measure { name: string; value: number; unit: string; ok: boolean }
+export interface Reading { name: string; value: number; unit: string; ok: boolean }
 
 /** What a session says to the participant between two trials; `content` is as `page` says,
  * `lines` stood on the screen when the trial before it ended. */
@@ -115,7 +115,7 @@ export class Live {
         return;
       }
       const { state, lag } = told;
-      if (state) this.say({ took: state.made });
+      if (state) this.say({ took: true });
       this.dialogue = state && "dialogue" in state ? state.dialogue : null;
       this.state = state && "trial" in state ? state : null;
       this.lag = lag;

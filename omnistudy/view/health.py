@@ -6,7 +6,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from math import inf
 
-from omnistudy.channel import measure
+from omnistudy.channel import Measure
+from omnistudy.channel.measure import SATURATED
 
 REMEMBERED_S = 5.0
 """How long a late step is something to look at (ours)."""
@@ -15,7 +16,7 @@ BEHIND_S = 0.05
 
 
 @dataclass(frozen=True, slots=True)
-class Measure:
+class Reading:
     """One number of a part of a live trial.
 
     ok : False where somebody should look.
@@ -38,21 +39,21 @@ SATURATED_SHARE = 0.2
 """Share of its ticks that an axis may push with all it has before somebody should look (ours)."""
 
 
-def device_health(measures: Iterable[measure.Measure]) -> tuple[Measure, ...]:
+def device_health(measures: Iterable[Measure]) -> tuple[Reading, ...]:
     """Give what an experimenter should know of the device among what it tells of a trial."""
     return tuple(_judged(*told) for told in measures if _limit(told.name) is not None)
 
 
 def _limit(name: str) -> float | None:
-    return SATURATED_SHARE if name.startswith(measure.SATURATED) else DEVICE_LIMITS.get(name)
+    return SATURATED_SHARE if name.startswith(SATURATED) else DEVICE_LIMITS.get(name)
 
 
-def _judged(name: str, value: float, unit: str) -> Measure:
+def _judged(name: str, value: float, unit: str) -> Reading:
     ok = value <= (_limit(name) or 0.0)
     words = name.replace("_", " ")
     if unit == "s":
-        return Measure(words, 1000.0 * value, "ms", ok)
-    return Measure(words, value, "", ok)
+        return Reading(words, 1000.0 * value, "ms", ok)
+    return Reading(words, value, "", ok)
 
 
 class LoopHealth:
@@ -62,7 +63,7 @@ class LoopHealth:
         self._late = 0
         self._late_at = -inf
 
-    def measures(self, t: float, late: int, behind: float) -> tuple[Measure, ...]:
+    def readings(self, t: float, late: int, behind: float) -> tuple[Reading, ...]:
         """Give what there is to say at t s of the trial.
 
         late : late steps so far. behind : s that the trial is behind the clock on the wall.
@@ -70,6 +71,6 @@ class LoopHealth:
         if late > self._late:
             self._late, self._late_at = late, t
         return (
-            Measure("late steps", late, "", t - self._late_at > REMEMBERED_S),
-            Measure("behind the clock", max(0.0, 1000.0 * behind), "ms", behind <= BEHIND_S),
+            Reading("late steps", late, "", t - self._late_at > REMEMBERED_S),
+            Reading("behind the clock", max(0.0, 1000.0 * behind), "ms", behind <= BEHIND_S),
         )

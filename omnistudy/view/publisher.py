@@ -9,20 +9,19 @@ from math import isfinite
 import numpy as np
 from pydantic_core import to_json
 
-from omnistudy import channel
-from omnistudy.channel import Channel, LatestValue, measured
+from omnistudy.channel import Channel, LatestValue, Measure, measured
 from omnistudy.session.live import RealTime
 from omnistudy.trial import Glimpse
 from omnistudy.view.answer import Answer
 from omnistudy.view.captions import Captions
-from omnistudy.view.health import LoopHealth, Measure, device_health
+from omnistudy.view.health import LoopHealth, Reading, device_health
 
 LAST_EVENTS = 12
 """Events that a state carries: a page may have missed those before."""
 WRENCH = ("fx", "fy", "tau")
 
 Place = tuple[float, float]
-Served = Callable[[], Iterable[channel.Measure]]
+Served = Callable[[], Iterable[Measure]]
 DEVICE_EVERY_S = 0.5
 """How often the device is asked: its quantiles are counted out each time."""
 
@@ -40,7 +39,7 @@ class Publisher(RealTime):
         """Take the trial's number and its files; `served` tells how its device serves it."""
         super().__init__()
         self._served = served
-        self._device: tuple[Measure, ...] = ()
+        self._device: tuple[Reading, ...] = ()
         self._device_due = 0.0
         self._trial = trial
         self._state = state
@@ -82,7 +81,7 @@ class Publisher(RealTime):
         self._shown["status"] = status
         self._write()
 
-    def measures(self) -> tuple[channel.Measure, ...]:
+    def measures(self) -> tuple[Measure, ...]:
         """Tell how well the pace was kept, and how the participant's screen lagged."""
         lag = Answer.latest(self._answer).lag
         if lag is None or lag.trial != self._trial:
@@ -110,13 +109,13 @@ class Publisher(RealTime):
         """Whether somebody pressed stop during this trial."""
         return Answer.latest(self._answer).stop == self._trial
 
-    def _health(self, t: float) -> tuple[Measure, ...]:
+    def _health(self, t: float) -> tuple[Reading, ...]:
         """Give what the experimenter should know of the trial's parts."""
         if t >= self._device_due:
             self._device_due = t + DEVICE_EVERY_S
             self._device = device_health(self._served())
         behind = time.monotonic() - self._opened - t
-        return (*self._loop.measures(t, self.late, behind), *self._device)
+        return (*self._loop.readings(t, self.late, behind), *self._device)
 
     def _write(self) -> None:
         stamped = {**self._shown, "made": time.monotonic()}
