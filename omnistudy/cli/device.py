@@ -72,20 +72,36 @@ Seconds = Annotated[float, typer.Option(help="How long; 0 is until Ctrl-C.", min
 
 
 @app.command()
-def check(device: DeviceOrPort = None, json: AsJson = False) -> None:
+def check(
+    device: DeviceOrPort = None,
+    force: Annotated[
+        bool,
+        typer.Option("--force", help="Lead through the checks before force; the stick moves."),
+    ] = False,
+    json: AsJson = False,
+) -> None:
     """Look a device over while nobody touches it, without giving it force.
 
     Of a stick with our firmware: firmware, settings, telemetry, faults, contacts. Of any other:
     which one it is, what it tells, whether it rests. Says what real time this system gives.
 
+    With --force a stick with our firmware is checked as before every session: switches, signs,
+    zero, centring. You are told what to press; then keep your hands off, it moves to its stops.
+
     Exits 1 when something is not as it should be; a WARN is no such thing.
 
     Example: omnistudy device check gamepad
+
+    Example: omnistudy device check /dev/ttyACM0 --force
     """
     from omnistudy.cli.device_chosen import chosen_port, hardware_of, stick_line
 
-    port = chosen_port(device)
-    if port is None:
+    port = None if force else chosen_port(device)
+    if force:
+        from omnistudy.cli.device_hands_off import find_before_force
+
+        findings = find_before_force(device)
+    elif port is None:
         from omnistudy.devices.handheld.check import check_handheld
 
         findings = check_handheld(hardware_of(device, "check"))
@@ -202,6 +218,31 @@ def calibrate(
         measure_forces(device, name, options, replace, dry_run, json)
         return
     find_ranges(device, page or device, replace, dry_run, json)
+
+
+@app.command()
+def familiarise(
+    page: Annotated[str, typer.Option(help="Name of the page that is written, such as P01.")],
+    device: DeviceOrPort = None,
+    replace: Annotated[
+        bool, typer.Option("--replace", help="Replace the lab's page without asking.")
+    ] = False,
+    dry_run: Annotated[
+        bool, typer.Option("--dry-run", help="Print the page, and write nothing.")
+    ] = False,
+    json: AsJson = False,
+) -> None:
+    """Find the greatest force that somebody wants to meet, and write a page of the stick with it.
+
+    A force rises on each axis until the person lets go of the dead-man's switch, never above the
+    ceiling of the page that was given. Four fifths of it becomes the ceiling. The folder is the one
+    of --conf or OMNISTUDY_CONF, else ./lab.
+
+    Example: omnistudy device familiarise /dev/ttyACM0 --page P01
+    """
+    from omnistudy.cli.device_hands_off import find_own_ceiling
+
+    find_own_ceiling(device, page, replace, dry_run, json)
 
 
 @app.command()

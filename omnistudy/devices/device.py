@@ -68,6 +68,16 @@ class Health(NamedTuple):
     damaged: int = 0
     saturated: tuple[int, ...] = ()
 
+    def since(self, before: Health) -> Health:
+        """Give what was counted since an earlier moment."""
+        earlier = before.saturated or (0,) * len(self.saturated)
+        return Health(
+            self.ticks - before.ticks,
+            self.missed - before.missed,
+            self.damaged - before.damaged,
+            tuple(now - then for now, then in zip(self.saturated, earlier, strict=True)),
+        )
+
 
 Wrench = Literal["none", "commanded", "clipped", "measured"]
 """What a device's recorded force is: none, what was asked of its motors, that after all limits, or

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import signal
 import sys
 import time
@@ -13,9 +12,18 @@ from shutil import rmtree
 from typing import NamedTuple
 
 from omnistudy.channel import Channel, LatestValue, Ring
+from omnistudy.channel.orphan import orphaned
 from omnistudy.channel.trial_row import TRIAL_ROW
 from omnistudy.devices.cadence import Cadence
-from omnistudy.devices.device import NO_HAND, Device, DeviceState, Identity, RunningDevice, Wrench
+from omnistudy.devices.device import (
+    NO_HAND,
+    Device,
+    DeviceState,
+    Health,
+    Identity,
+    RunningDevice,
+    Wrench,
+)
 from omnistudy.devices.orders import Order, OrderLayout, Report, ReportLayout
 from omnistudy.devices.real_time import go_real_time
 from omnistudy.errors import OmnistudyError
@@ -81,24 +89,23 @@ def turn_device(device: Device, folder: Path, telling: Connection) -> None:
     """
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the session, which ends us
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(0))  # so that the device is closed
-    parent = os.getppid()
     try:
         running = device.connect(device.tick_hz)
     except OmnistudyError as mistake:
         telling.send(str(mistake))
         return
     try:
-        loop = _introduced(device, running, Files(folder), parent, telling)
+        loop = _introduced(device, running, Files(folder), telling)
         if loop is not None:
             loop.turn_on()
     finally:
         running.close()
-        if os.getppid() != parent:
+        if orphaned():
             rmtree(folder, ignore_errors=True)
 
 
 def _introduced(
-    device: Device, running: RunningDevice, files: Files, parent: int, telling: Connection
+    device: Device, running: RunningDevice, files: Files, telling: Connection
 ) -> _Loop | None:
     """Wake the device and introduce it; None when it cannot be driven with."""
     running.rest()
@@ -114,7 +121,7 @@ def _introduced(
     LatestValue(files.orders, OrderLayout(axes).size).close()
     Cadence(files.cadence, make=True).close()
     missing = go_real_time().missing
-    loop = _Loop(running, files, device.tick_hz, parent)
+    loop = _Loop(running, files, device.tick_hz)
     telling.send(
         Introduction(
             running.axes, running.channels, running.forces, running.wrench, running.identity(),
@@ -126,10 +133,9 @@ def _introduced(
 
 
 class _Loop:
-    def __init__(self, running: RunningDevice, files: Files, tick_hz: int, parent: int) -> None:
+    def __init__(self, running: RunningDevice, files: Files, tick_hz: int) -> None:
         axes = len(running.axes)
         self._running = running
-        self._parent = parent
         self._period = 1.0 / tick_hz
         self._idle_turns = max(1, round(BETWEEN_TRIALS_S * tick_hz))
         self._orders = LatestValue(files.orders)
@@ -142,6 +148,7 @@ class _Loop:
         self._order = Order()
         self._turn = 0
         self._rows = 0
+        self._before = self._health = Health()
         self._state = DeviceState((0.0,) * axes, (0.0,) * axes)
 
     def turn_on(self) -> None:
@@ -162,7 +169,7 @@ class _Loop:
             due += period
             if late > CATCHING_UP_S:
                 due = now + period
-            if os.getppid() != self._parent:
+            if orphaned():
                 orphaned_at = orphaned_at or now
                 going = going and now - orphaned_at < ORPHANED_S
 
@@ -194,6 +201,7 @@ class _Loop:
             order = self._order
             if order.trial and order.trial != before.trial:
                 self._rows = 0
+                self._before = self._running.health()
                 self._cadence.begin(order.trial)
                 self._running.wake()
             elif before.trial and not order.trial:
@@ -205,8 +213,10 @@ class _Loop:
 
     def _tell(self, now: float, trouble: str) -> None:
         running = self._running
+        if self._order.trial:
+            self._health = running.health().since(self._before)
         report = Report(
-            self._turn, now, self._order.trial, self._rows, running.health(), self._state,
+            self._turn, now, self._order.trial, self._rows, self._health, self._state,
             running.values(), trouble,
         )  # fmt: skip
         self._reports.write(self._report_layout.pack(report))

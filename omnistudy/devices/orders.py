@@ -74,7 +74,7 @@ class Report(NamedTuple):
     """What the process of a device says after each turn.
 
     turn : counted from 1. time : monotonic clock, s. trial : of the order that it follows.
-    rows : of this trial, or of the last one, that it put into the ring.
+    rows, health : of this trial, or of the last one: put into the ring, counted.
     """
 
     turn: int

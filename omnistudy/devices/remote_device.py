@@ -92,7 +92,6 @@ class RemoteDevice(RunningDevice):
         state = DeviceState(nothing, nothing)
         values = (0.0,) * len(told.channels)
         self._report = Report(0, time.monotonic(), 0, 0, Health(), state, values, "")
-        self._before = Health()
         self.late_fields = 0
 
     @property
@@ -139,7 +138,6 @@ class RemoteDevice(RunningDevice):
         """Order on, and give the newest state that was told."""
         if self._trial and not self._opened:
             self._opened = time.monotonic()
-            self._before = self.report.health
         order = Order(self._trial, self._opened, self._fields, self._field, hand)
         self._orders.write(self._order_layout.pack(order))
         return self.report.state
@@ -149,7 +147,7 @@ class RemoteDevice(RunningDevice):
         return self._report.values
 
     def health(self) -> Health:
-        """Give the counts of the newest report."""
+        """Give the counts of the newest report: of its trial, or of the last one."""
         return self._report.health
 
     def identity(self) -> Identity:
@@ -168,17 +166,15 @@ class RemoteDevice(RunningDevice):
 
     def measures(self, trial: int) -> tuple[Measure, ...]:
         """Tell how well a trial was served: turns, frames, fields, saturation an axis."""
-        health, before = self.health(), self._before
-        ticks = health.ticks - before.ticks
+        health = self.health()
         told: dict[str, float] = {
-            "device_ticks": ticks,
-            "dropped_frames": health.missed - before.missed,
-            "damaged_frames": health.damaged - before.damaged,
+            "device_ticks": health.ticks,
+            "dropped_frames": health.missed,
+            "damaged_frames": health.damaged,
             "late_fields": self.late_fields,
         }
-        pushed_before = before.saturated or (0,) * len(self.axes)
-        for axis, now, then in zip(self.axes, health.saturated, pushed_before, strict=True):
-            told[SATURATED + axis.name] = (now - then) / max(1, ticks)
+        for axis, saturated in zip(self.axes, health.saturated, strict=True):
+            told[SATURATED + axis.name] = saturated / max(1, health.ticks)
         lateness = self._cadence.lateness(trial, 1.0 / self.tick_hz)
         if lateness is not None:
             told |= {

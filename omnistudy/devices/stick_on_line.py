@@ -68,7 +68,7 @@ class StickOnLine(RunningDevice):
         self._state = STILL
         self._rendered: tuple[float, DeviceState] | None = None
         self._fields = 0
-        self._tally = Tally()
+        self._tally = Tally(self.force_limits)
         self._damaged = 0
         self._trouble = ""
         self._resting = False
@@ -104,6 +104,7 @@ class StickOnLine(RunningDevice):
         self._who = line.identify()
         if self._calibration:
             self._calibration.check_serial(str(self._who.serial))
+        self._tally = Tally(limits)
         expected = Expected(self._who, self._stick.stops, limits)
         self._watch = Watch(expected, line.transport.now())
         self._watch.resting = self._resting

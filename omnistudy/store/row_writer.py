@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import signal
 import threading
 import time
@@ -15,6 +14,7 @@ from numpy.typing import NDArray
 from sqlalchemy import Connection, insert, select
 
 from omnistudy.channel import Channel, Ring
+from omnistudy.channel.orphan import orphaned
 from omnistudy.channel.trial_row import TRIAL_ROW
 from omnistudy.store.chunks import columns_text, pack, stored_numbers
 from omnistudy.store.connection import in_plain_words, writing_engine
@@ -114,7 +114,6 @@ def write_rows(study: Path, ring: Path, head: StreamHead, ready: Event) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the session, which ends us
     ending = threading.Event()
     signal.signal(signal.SIGTERM, lambda *_: ending.set())
-    parent = os.getppid()
     rows = Ring(ring)
     with in_plain_words(study), writing_engine(study).connect() as connection:
         writer = RowWriter(connection, study, rows, head)
@@ -126,5 +125,5 @@ def write_rows(study: Path, ring: Path, head: StreamHead, ready: Event) -> None:
                 grown_at, written = time.monotonic(), rows.written
             idle = time.monotonic() - grown_at > IDLE_S
             writer.drain(whole=told or idle)
-            if told or (idle and os.getppid() != parent):
+            if told or (idle and orphaned()):
                 return

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from faulty_stick import FaultyLine
 from stick_bench import Bench
 
 from omnistudy.devices import Identity
@@ -52,6 +53,8 @@ def test_a_zero_that_drifted_is_told_when_something_was_driven(bench: Bench) -> 
         told.append(sentence)
         attendant(sentence)
 
-    measures = checked(bench.board, SimulatedStick(), tell, before)
+    wire = FaultyLine(bench.board)
+    measures = checked(wire, SimulatedStick(), tell, before)
+    assert wire.last_duties == (0,) * 6  # closed, and soft
     assert told[-1] == DRIFTED
     assert abs({one.name: one.value for one in measures}["zero_shift_x"]) == 16

@@ -35,9 +35,11 @@ def driven(device: RunningDevice, steps: int = 240) -> np.ndarray:
 
 
 def test_default_settings_are_the_simulated_stick_s() -> None:
-    # But for y's gravity lever, which the simulated stick has as x's, and theta's margin.
+    # But for y's gravity lever, which the simulated stick has as x's, theta's margin and its trip.
     wanted = DEFAULT_CONFIGURATION._replace(
-        counts_per_degree=(3072, 3072, 1024), travel=(360, 360, 1728)
+        counts_per_degree=(3072, 3072, 1024),
+        travel=(360, 360, 1728),
+        velocity_trip=(2560, 2560, 3840),
     )
     assert configuration(SimulatedStick()) == wanted
 

@@ -226,6 +226,8 @@ def test_the_ceiling_is_the_firmware_s_limit_too() -> None:
     assert not stick.trouble()
     # 255 steps are 13.5 N, 13.5 N and 4.4 N·m.
     assert stick.line.board.duties[1::2] == (37, 94, 57)
+    # Saturated is at its limit, wherever that is.
+    assert min(stick.health().saturated) > 300
 
 
 @pytest.mark.slow

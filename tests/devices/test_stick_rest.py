@@ -99,3 +99,9 @@ def test_energy_is_counted_from_the_beginning_of_a_trial(stick: FaultyStickInMot
     stick.wake()
     stick.advance(HELD)
     assert stick.values()[energy] == pytest.approx(0.0, abs=1e-4)
+
+
+def test_a_stick_that_was_held_all_the_time_is_not_armed_again(stick: FaultyStickInMotion) -> None:
+    written = stick.line.written
+    stick.wake()
+    assert stick.line.written == written

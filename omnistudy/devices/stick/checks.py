@@ -21,12 +21,14 @@ from omnistudy.devices.stick.messages import (
     Three,
 )
 from omnistudy.devices.stick.motions import (
+    SOFT_START,
     go_to,
+    heard_now,
     limited,
     low_force,
     moved_by_a_push,
+    rest_after_a_push,
     stops_of,
-    wait_until_still,
 )
 from omnistudy.devices.stick.watch import AXES
 from omnistudy.errors.devices import NoTelemetry, Refused
@@ -189,7 +191,7 @@ class _Leading:
         self._tell(sentence)
         if not self._sees(lambda told: bool(told.signs & sign) == on):
             return self.note(what, f"not noticed within {self._patience:g} s", False)
-        last = self._latest()
+        last = heard_now(self._line, LOOK)[-1]
         if then is not None and (last.state != then or last.signs & Sign.ENABLED):
             return self.note(what, "noticed, but force and enable line stay on", False)
         return self.note(what, "noticed" + (", and force went" if then is not None else ""), True)
@@ -234,21 +236,16 @@ class _Leading:
 
     def _centring(self) -> None:
         """Let the stick stand by its own centring, with little force."""
-        self._line.configure(self._settings._replace(force_limit=limited(self._settings)))
+        little = limited(self._settings)
+        self._line.configure(self._settings._replace(force_limit=little, soft_start=SOFT_START))
         self._line.arm()
-        rest = wait_until_still(self._line)
+        rest = rest_after_a_push(self._line)
         for axis, counts in enumerate(rest):
             self.note(f"rest of {AXES[axis]}", f"{counts} counts", abs(counts) <= CENTRE_TOLERANCE)
 
     def _clear(self) -> None:
-        if self._latest().faults & LATCHING:
+        if heard_now(self._line, LOOK)[-1].faults & LATCHING:
             self._line.clear_faults()
-
-    def _latest(self) -> Telemetry:
-        heard = self._line.listen(LOOK)
-        if not heard:
-            raise NoTelemetry(LOOK)
-        return heard[-1]
 
     def _arm(self) -> None:
         """Arm without any field or centring: motors and amplifiers are on, but push nothing."""

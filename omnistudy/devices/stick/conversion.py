@@ -18,6 +18,10 @@ from omnistudy.geometry import ForceField
 
 MARGIN = 1.2
 """Beyond the mechanical stop by so much, counts can only be wrong (ours)."""
+TWIST_TRIP = 15.0
+"""Counts/ms of theta, 65 rad/s, that are a fault: the published torque of 4.4 N·m turned handle and
+virtual hand at up to 11.5 in ten trials with full feedback (docs/stick.md), and the firmware's own
+10 is for a person's wrist (ours)."""
 
 
 class HandleScale(NamedTuple):
@@ -108,6 +112,7 @@ def configuration(stick: SimulatedStick) -> Configuration:
 
     stiffness = scale["centring_stiffness"] * DEGREES_PER_COUNT
     damping = scale["centring_damping"] * DEGREES_PER_COUNT * 1e3
+    twist_trip = round(TWIST_TRIP * scale["velocity_trip"])
     return DEFAULT_CONFIGURATION._replace(
         counts_per_degree=three(
             scale["counts_per_degree"] * n for n in (per_degree[0], per_degree[0], per_degree[1])
@@ -116,4 +121,5 @@ def configuration(stick: SimulatedStick) -> Configuration:
         centring_damping=three(damping * axis.derivative for axis in axes),
         gravity=three(axis.gravity for axis in axes),
         travel=three(MARGIN * axis.travel for axis in axes),
+        velocity_trip=(*DEFAULT_CONFIGURATION.velocity_trip[:2], twist_trip),
     )

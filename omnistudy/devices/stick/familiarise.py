@@ -10,7 +10,7 @@ from collections.abc import Callable
 from omnistudy.devices.stick.ceiling import Ceiling
 from omnistudy.devices.stick.check import LATCHING
 from omnistudy.devices.stick.line import StickLine
-from omnistudy.devices.stick.messages import Fault, Sign, State, Telemetry, Three
+from omnistudy.devices.stick.messages import Fault, Sign, State, Three
 from omnistudy.devices.stick.motions import (
     NONE,
     RENEWAL,
@@ -18,9 +18,9 @@ from omnistudy.devices.stick.motions import (
     SOFT_START,
     along,
     device_field,
+    heard_now,
 )
 from omnistudy.devices.stick.watch import AXES
-from omnistudy.errors.devices import NoTelemetry
 from omnistudy.errors.stick_checks import ForceGone, NobodyHeld
 
 RISE = 12.75
@@ -82,7 +82,7 @@ def _rise(
     while push < most:
         push = min(float(most), push + RISE * RENEWAL)
         line.send(device_field(wrench=along(axis, push), damping=SLOWLY))
-        last = _latest(line)
+        last = heard_now(line, RENEWAL)[-1]
         if last.state == State.FAULT:
             raise ForceGone(State.FAULT.name, Fault(last.faults).name or "no fault")
         if last.state == State.IDLE:
@@ -94,16 +94,9 @@ def _rise(
 def _wait_for_hold(line: StickLine, patience: float) -> None:
     end = line.transport.now() + patience
     while line.transport.now() < end:
-        last = _latest(line)
+        last = heard_now(line, RENEWAL)[-1]
         if last.faults & LATCHING:
             line.clear_faults()
         elif last.signs & Sign.HELD:
             return
     raise NobodyHeld(patience)
-
-
-def _latest(line: StickLine) -> Telemetry:
-    heard = line.listen(RENEWAL)
-    if not heard:
-        raise NoTelemetry(RENEWAL)
-    return heard[-1]

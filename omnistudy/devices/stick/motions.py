@@ -34,6 +34,8 @@ SOFT_START = 50
 """ms (ours)."""
 RENEWAL = 0.02
 """s between two fields."""
+LONGEST_SILENCE = 0.4
+"""s without telemetry on a busy host; the stick has no force after 0.3 s of its own (ours)."""
 FAR_ENOUGH = 10
 """Counts that end a push (ours)."""
 PUSH_WITHIN = 0.15
@@ -125,8 +127,9 @@ def go_to(line: StickLine, counts: Three) -> Three:
     return _until_still(line, device_field(about=counts, stiffness=SPRING, damping=SLOWLY))
 
 
-def wait_until_still(line: StickLine) -> Three:
-    """Let the stick's own forces work; give where it then stands, counts."""
+def rest_after_a_push(line: StickLine) -> Three:
+    """Push the stick away and let its own forces work; give where it then stands, counts."""
+    _render(line, device_field(wrench=(PUSH, PUSH, PUSH)), PUSH_WITHIN)
     return _until_still(line, device_field())
 
 
@@ -142,6 +145,18 @@ def _until_still(line: StickLine, field: Field) -> Three:
     return now
 
 
+def heard_now(line: StickLine, seconds: float) -> list[Telemetry]:
+    """Listen for so long, and longer while nothing comes: at least one frame; else NoTelemetry."""
+    heard = line.listen(seconds)
+    waited = 0.0
+    while not heard:
+        if waited >= LONGEST_SILENCE:
+            raise NoTelemetry(LONGEST_SILENCE)
+        heard = line.listen(RENEWAL)
+        waited += RENEWAL
+    return heard
+
+
 def _render(line: StickLine, field: Field, seconds: float) -> list[Telemetry]:
     heard: list[Telemetry] = []
     end = line.transport.now() + seconds
@@ -149,7 +164,7 @@ def _render(line: StickLine, field: Field, seconds: float) -> list[Telemetry]:
         line.send(field)
         heard += line.listen(min(RENEWAL, end - line.transport.now()))
     if not heard:
-        raise NoTelemetry(seconds)
+        heard = heard_now(line, 0.0)
     last = heard[-1]
     if last.state in (State.IDLE, State.FAULT):
         raise ForceGone(State(last.state).name, Fault(last.faults).name or "no fault")

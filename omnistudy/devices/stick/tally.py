@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from omnistudy.devices.device import Health
-from omnistudy.devices.stick.messages import FULL_DUTY, Telemetry
+from omnistudy.devices.stick.messages import Telemetry, Three
 
 TICKS = 1 << 32
 """The device's count of ticks begins again here."""
@@ -16,7 +16,9 @@ LONGEST_GAP = 10_000
 class Tally:
     """Counts ticks heard, missed by their numbers, and those at which a motor was at its limit."""
 
-    def __init__(self) -> None:
+    def __init__(self, limits: Three) -> None:
+        """Begin to count; limits in PWM steps are what each motor gets at most."""
+        self._limits = limits
         self._ticks = 0
         self._missed = 0
         self._saturated = [0, 0, 0]
@@ -32,7 +34,7 @@ class Tally:
                     self._missed += gap
             self._last = told.tick
             for axis, duty in enumerate(told.motor):
-                if duty >= FULL_DUTY or duty <= -FULL_DUTY:
+                if not -self._limits[axis] < duty < self._limits[axis]:
                     self._saturated[axis] += 1
 
     def health(self, damaged: int) -> Health:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from faulty_stick import FaultyLine
 from stick_bench import Bench
 
 from omnistudy.devices.stick.attendant import Attendant
@@ -16,7 +17,11 @@ from omnistudy.devices.stick.checks import (
     findings,
     insist,
 )
-from omnistudy.devices.stick.messages import Identity, State, Three
+from omnistudy.devices.stick.emulator import EmulatedStick
+from omnistudy.devices.stick.frames import Deframer, encode
+from omnistudy.devices.stick.line import StickLine
+from omnistudy.devices.stick.messages import Fault, Identity, Sign, State, Telemetry, Three
+from omnistudy.errors.devices import NoAnswer
 from omnistudy.errors.stick_checks import ChecksFailed
 
 STOPS: Three = (300, 300, 1440)
@@ -167,3 +172,49 @@ def test_an_emergency_stop_in_the_middle_ends_the_checks(bench: Bench) -> None:
     checks = check_before_force(bench.line, STOPS, Frightened(bench.board), patience=0.3)
     assert failed(checks) == ["force"]
     assert bench.board.greatest_duty() == 0
+
+
+def test_a_stick_that_is_unplugged_in_the_middle_goes_soft_by_itself(bench: Bench) -> None:
+    wire = FaultyLine(bench.board)
+
+    class Clumsy(Attendant):
+        def let_go(self) -> None:
+            wire.cut = True
+
+    bench.board.release()
+    with pytest.raises(NoAnswer):
+        check_before_force(StickLine(wire), STOPS, Clumsy(bench.board), patience=0.3)
+    assert bench.board.duties == (0,) * 6
+    assert not bench.board.enabled
+
+
+class Boastful:
+    """A line whose stick says that it pushes, whatever becomes of its switches."""
+
+    def __init__(self, board: EmulatedStick) -> None:
+        self._board = board
+        self._deframer = Deframer()
+        self.write, self.now, self.close = board.write, board.now, board.close
+
+    def read(self, seconds: float) -> bytes:
+        told = b""
+        for message, sequence in self._deframer.feed(self._board.read(seconds)):
+            if isinstance(message, Telemetry) and message.faults & Fault.ESTOP:
+                signs = message.signs | Sign.ENABLED
+                message = message._replace(state=State.FORCE, signs=signs)
+            told += encode(message, sequence)
+        return told
+
+
+def test_a_switch_that_is_felt_but_takes_no_force_away_ends_the_checks(bench: Bench) -> None:
+    line = StickLine(Boastful(bench.board))
+    checks = check_before_force(line, STOPS, Attendant(bench.board), patience=0.3)
+    assert failed(checks) == ["emergency stop pressed"]
+    assert "noticed, but force and enable line stay on" in checks.findings[-1].found
+
+
+def test_a_stick_that_does_not_come_to_rest_in_its_centre_gets_no_force(bench: Bench) -> None:
+    # Its own settings carry half of the handle's weight only, and do not centre x.
+    falling = {"centring_stiffness": (0, 179, 340), "gravity": (50, 70, 0)}
+    bench.line.configure(bench.line.configuration()._replace(**falling))
+    assert failed(check(bench)) == ["rest of x"]

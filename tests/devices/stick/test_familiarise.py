@@ -57,6 +57,11 @@ def test_it_is_never_above_the_protocol_s_nor_is_the_force(bench: Bench) -> None
     assert fearless.felt == [28, 18, 14]  # 1.5 N are 28.3 steps, 1 N 18.9, 0.25 N·m 14.5
 
 
+def test_a_protocol_may_be_below_what_anybody_feels(bench: Bench) -> None:
+    protocol = Ceiling(x=0.5, y=0.5, theta=0.1)
+    assert find_ceiling(bench.line, PER_DUTY, protocol, Participant(bench, (3, 3, 3))) == protocol
+
+
 def test_the_emergency_stop_ends_it(bench: Bench) -> None:
     class Frightened(Participant):
         def feel(self, seconds: float) -> list[Telemetry]:

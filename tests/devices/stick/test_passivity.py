@@ -21,6 +21,13 @@ def test_work_of_a_constant_force_is_force_times_way() -> None:
     assert observer.energy == pytest.approx([-0.030])
 
 
+def test_a_force_is_held_until_the_next_tick() -> None:
+    observer = PassivityObserver(axes=1)
+    observer.see((0.0,), (1.0,))
+    observer.see((0.001,), (5.0,))
+    assert observer.energy == pytest.approx([-0.001])
+
+
 def test_a_spring_pushed_in_and_out_keeps_nothing_and_a_damper_all() -> None:
     spring, damper = PassivityObserver(axes=1), PassivityObserver(axes=1)
     amplitude, omega = 0.01, 2 * pi

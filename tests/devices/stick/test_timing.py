@@ -24,21 +24,24 @@ DENSE = field((30, 20, 10), (5, 5, 5), (0.3, 0.1, 0.1) * 3, (3, 1, 1) * 3, 100)
 """A field in which nothing is zero."""
 
 
-def worst_case(bench: Bench, rate: float = RATED, steps: int = 30) -> list[Telemetry]:
+def worst_case(
+    bench: Bench, rate: float = RATED, steps: int = 30, twist: float | None = None
+) -> list[Telemetry]:
     """Turn all encoders to and fro under centring, gravity and a dense field."""
-    bench.arm(travel=(2047, 2047, 2047))
+    bench.arm(travel=(2047, 2047, 2047), velocity_trip=(2560, 2560, 3840 if twist else 2560))
     heard = []
     for step in range(steps):
         if step % 6 == 0:
-            for axis in range(3):
-                bench.board.turn(axis, -1000 if bench.board.count(axis) > 0 else 1000, rate)
+            for axis, speed in enumerate((rate, rate, twist or rate)):
+                bench.board.turn(axis, -1000 if bench.board.count(axis) > 0 else 1000, speed)
         bench.line.send(DENSE)
         heard += bench.line.listen(0.02)
     return heard
 
 
-def test_no_tick_is_missed_at_the_rated_speed(bench: Bench) -> None:
-    heard = worst_case(bench)
+@pytest.mark.parametrize("twist", [None, 14_900], ids=["rated", "a twist as fast as emulated"])
+def test_no_tick_is_missed_at_the_rated_speed(bench: Bench, twist: float | None) -> None:
+    heard = worst_case(bench, twist=twist)
     assert all(later.tick - earlier.tick == 1 for earlier, later in pairwise(heard))
     assert heard[-1].missed == 0
     assert heard[-1].faults & 0xFF == 0
