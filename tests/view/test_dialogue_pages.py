@@ -227,13 +227,18 @@ def test_a_stick_that_is_held_takes_the_choice(met: Meeting) -> None:
 
 
 def test_a_stick_that_was_pushed_before_must_come_back_first(met: Meeting) -> None:
-    met.stick.push = (0.0, 0.0, 0.9)
-    read = met.begin(met.dialogue(with_stick=True).instruct)
-    met.tab.wait_for("window.participant.live.dialogue?.stick?.[2] === 0.9")
+    dialogue = met.dialogue(with_stick=True)
+    who = WithStick(met.tab, met.stick)
+    read = met.begin(dialogue.instruct)
+    who.take(MAIN)
+    read.result(20)
+    met.tab.value("window.participant.stick.ready = true")  # as after a page that it did not end
+    met.stick.push = (-0.9, 0.0, 0.0)
+    read = met.begin(dialogue.instruct)
+    met.tab.wait_for("window.participant.live.dialogue?.stick?.[0] === -0.9")
     assert not met.tab.value("window.participant.stick.ready")
     assert met.tab.value("document.querySelector('.lit')") is None
-    met.stick.push = (0.0, 0.0, 0.0)
-    WithStick(met.tab, met.stick).take(MAIN)
+    who.take(MAIN)
     read.result(20)
 
 
@@ -299,7 +304,13 @@ def test_the_countdown_counts_and_the_thanks_stay(met: Meeting) -> None:
     met.begin(met.dialogue().thank).result(20)
     met.tab.wait_for("window.participant.live.dialogue === null")
     assert met.tab.value("document.querySelector('.sheet h1').textContent") == "Thank you"
+    met.tab.value(
+        "Object.defineProperty("
+        "window.participant.live, 'lost', {value: true, configurable: true}) && 0"
+    )
+    met.tab.value("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
     assert met.tab.value("document.querySelector('.message').hidden")
+    met.tab.value("delete window.participant.live.lost")
 
 
 def test_nobody_is_waited_for_for_ever(met: Meeting) -> None:
