@@ -87,7 +87,6 @@ def turn_device(device: Device, folder: Path, telling: Connection) -> None:
 
     Says an Introduction through `telling`, or a sentence when the device cannot be reached.
     """
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the session, which ends us
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(0))  # so that the device is closed
     try:
         running = device.connect(device.tick_hz)

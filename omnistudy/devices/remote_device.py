@@ -11,6 +11,7 @@ from tempfile import mkdtemp
 from typing import Self
 
 from omnistudy.channel import SATURATED, LatestValue, Measure, Ring, measured, with_rates
+from omnistudy.channel.child import start_child
 from omnistudy.devices.cadence import Cadence
 from omnistudy.devices.device import (
     Device,
@@ -52,7 +53,7 @@ class RemoteDevice(RunningDevice):
         self._process = context.Process(
             target=turn_device, args=(device, self.files.folder, telling), daemon=True
         )
-        self._process.start()
+        start_child(self._process)
         telling.close()
         try:
             self.introduction = self._heard(hearing)

@@ -12,6 +12,7 @@ from typing import Self
 from sqlalchemy import func, select
 
 from omnistudy.channel import Ring
+from omnistudy.channel.child import start_child
 from omnistudy.errors.store import RecorderFailed
 from omnistudy.store.connection import in_plain_words, reading_engine
 from omnistudy.store.row_writer import StreamHead, write_rows
@@ -94,7 +95,7 @@ class Recorder:
 
     def _started(self) -> SpawnProcess:
         process = get_context("spawn").Process(target=write_rows, args=self._arguments, daemon=True)
-        process.start()
+        start_child(process)
         return process
 
     def _follow(self) -> None:

@@ -111,7 +111,6 @@ def write_rows(study: Path, ring: Path, head: StreamHead, ready: Event) -> None:
 
     ready : set once rows are looked for. Raises StoreFull, StudyBusy, NotWritable, DatabaseDamaged.
     """
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the session, which ends us
     ending = threading.Event()
     signal.signal(signal.SIGTERM, lambda *_: ending.set())
     rows = Ring(ring)

@@ -12,6 +12,7 @@ from pathlib import Path
 from threading import Thread
 
 from omnistudy.channel import LatestValue
+from omnistudy.channel.child import start_child
 from omnistudy.devices.handheld.keyboard import keys_file
 from omnistudy.errors.view import ServerFailed
 from omnistudy.store import StoredTrial
@@ -80,7 +81,7 @@ def _server(study: Path, port: int, token: str | None) -> Iterator[str]:
     context = get_context("spawn")
     hearing, telling = context.Pipe(duplex=False)
     process = context.Process(target=_serve, args=(study, port, token, telling), daemon=True)
-    process.start()
+    start_child(process)
     telling.close()
     try:
         try:
