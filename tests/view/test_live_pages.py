@@ -20,7 +20,7 @@ from omnistudy.study import create_study
 from omnistudy.view.captions import captions
 from omnistudy.view.chromium import Browser, Tab, browser
 
-from .conftest import SHORT
+from .meeting import SHORT
 
 COMMAND = "from omnistudy.cli.app import main; main()"
 STATE = "window.participant.live.state"
