@@ -160,8 +160,10 @@ class ParticipantPage {
     }
   }
 
-  private sheetOf({ page, mark, content, lines, stick }: Dialogue): Sheet {
+  private sheetOf({ page, mark, content, lines: ended, stick }: Dialogue): Sheet {
     const words = this.shown.pages;
+    const lines = this.stopped ? [this.shown.screen.stopped] : ended;
+    this.stopped = 0;
     const reply = (said: Reply): void => this.reply(said);
     if (page === "instruct") return new Instructions(words, reply);
     if (page === "rest") return new Rest(words, lines, reply);

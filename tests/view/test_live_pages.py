@@ -126,7 +126,7 @@ def test_stop_is_a_key_away_and_ends_the_trial(
         text = {"text": "\r"} if key == "Enter" else {}
         for kind in ("keyDown", "keyUp"):
             tab.ask("Input.dispatchKeyEvent", type=kind, key=key, code=key, **text)
-        tab.wait_for("document.querySelector('.message').textContent.startsWith('Stopped')")
+        tab.wait_for("document.querySelector('.result')?.textContent.startsWith('Stopped')")
         assert process.wait(timeout=60) == 0
     with omnistudy.open(study) as stored:
         first = stored.trials().iloc[0]
