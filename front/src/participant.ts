@@ -51,7 +51,6 @@ class ParticipantPage {
   private blind = false;
   private stage: Stage | null = null;
   private driving = false;
-  private trial = 0;
   private stopped = 0;
   private drawn = 0;
   private sheet: Sheet | null = null;
@@ -121,7 +120,6 @@ class ParticipantPage {
     const now = performance.now();
     const { state, dialogue } = this.live;
     const running = state !== null && state.status === "running";
-    if (state) this.trial = state.trial;
     if (dialogue) this.converse(dialogue, now);
     else if (state) this.asked = this.said = null;
     if (!this.asked || this.answered || (this.asked.page === "countdown" && !dialogue)) this.putAway();
@@ -161,14 +159,15 @@ class ParticipantPage {
     }
   }
 
-  private sheetOf({ page, mark, content, lines, stick }: Dialogue): Sheet {
+  private sheetOf({ page, mark, content, lines: ended, stick }: Dialogue): Sheet {
     const words = this.shown.pages;
-    const told = this.stopped !== 0 && this.stopped === this.trial ? [this.shown.screen.stopped] : lines;
+    const lines = this.stopped ? [this.shown.screen.stopped] : ended;
+    this.stopped = 0;
     const reply = (said: Reply): void => this.reply(said);
     if (page === "instruct") return new Instructions(words, reply);
-    if (page === "rest") return new Rest(words, told, reply);
+    if (page === "rest") return new Rest(words, lines, reply);
     if (page === "countdown") return new Countdown(words);
-    if (page === "thank") return new Thanks(words, told);
+    if (page === "thank") return new Thanks(words, lines);
     if (page === "consent") return new Consent(content as ConsentForm, mark, words, reply);
     const withPad = this.oneSwitch !== null || stick !== null;
     return new Questionnaire(content as Instrument, mark, words, reply, withPad);

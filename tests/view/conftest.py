@@ -14,12 +14,8 @@ from omnistudy.session import run_trials
 from omnistudy.study import create_study
 from omnistudy.view.chromium import Browser, browser
 
-SHORT = (
-    "world=primitive_c",
-    "routes=[through]",
-    "participants.count=1",
-    "order.block_length=1",
-)
+from .meeting import SHORT, Meeting, meeting
+
 FRONT = Path(__file__).parents[2] / "front"
 RUN = 2
 """Trials that were run; the third and those after it are planned."""
@@ -51,3 +47,16 @@ def front(
     shutil.copytree(FRONT, copy, ignore=shutil.ignore_patterns("node_modules"))
     subprocess.run([npm, "ci", "--no-progress"], cwd=copy, check=True, capture_output=True)
     return copy
+
+
+@pytest.fixture(scope="module")
+def met(chromium: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Meeting]:
+    with meeting(chromium, tmp_path_factory.mktemp("met")) as met:
+        yield met
+
+
+@pytest.fixture(scope="module")
+def met_switch(chromium: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Meeting]:
+    scanning = ("site.scanning.one_switch=true", "site.scanning.pace=0.3")
+    with meeting(chromium, tmp_path_factory.mktemp("switch"), *scanning) as met:
+        yield met

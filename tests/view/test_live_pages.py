@@ -21,7 +21,7 @@ from omnistudy.study import create_study
 from omnistudy.view.captions import captions
 from omnistudy.view.chromium import FLAGS, Browser, Tab, browser
 
-from .conftest import SHORT
+from .meeting import SHORT
 
 COMMAND = "from omnistudy.cli.app import main; main()"
 STATE = "window.participant.live.state"
@@ -141,7 +141,7 @@ def test_stop_is_a_key_away_and_ends_the_trial(
         text = {"text": "\r"} if key == "Enter" else {}
         for kind in ("keyDown", "keyUp"):
             tab.ask("Input.dispatchKeyEvent", type=kind, key=key, code=key, **text)
-        tab.wait_for("document.querySelector('.sheet .result')?.textContent.startsWith('Stopped')")
+        tab.wait_for("document.querySelector('.result')?.textContent.startsWith('Stopped')")
         assert process.wait(timeout=60) == 0
     with omnistudy.open(study) as stored:
         first = stored.trials().iloc[0]
