@@ -20,6 +20,7 @@ const FOOT = 18;
 export class Plots {
   private readonly drawn = document.createElement("canvas");
   private cursor = 0;
+  private wide = 0;
 
   constructor(
     readonly canvas: HTMLCanvasElement, private readonly film: Film,
@@ -53,7 +54,7 @@ export class Plots {
   }
 
   private x(t: number): number {
-    return LEFT + (t / this.end) * (this.canvas.clientWidth - LEFT - RIGHT);
+    return LEFT + (t / this.end) * (this.wide - LEFT - RIGHT);
   }
 
   private ink(name: string): string {
@@ -63,6 +64,7 @@ export class Plots {
   private redraw(): void {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (!width || !height) return;
+    this.wide = width; // once: thousands of samples ask for it
     for (const one of [this.canvas, this.drawn]) {
       one.width = width * devicePixelRatio;
       one.height = height * devicePixelRatio;

@@ -104,16 +104,14 @@ class LivePages:
         while not hearing.done():
             found = source.latest()
             now = time.monotonic()
-            if found and found.number != sent:
-                if not ready.is_set():
-                    await asyncio.sleep(PERIOD_S / 4)
-                    continue
+            newer = found is not None and found.number != sent
+            if found and newer and ready.is_set():
                 ready.clear()
                 sent, at = found.number, now
                 lag = self._answer.lag
                 told = lag.model_dump_json() if lag else "null"
                 await socket.send_text(f'{{"state":{found.data.decode()},"lag":{told}}}')
-            elif now - at > SILENCE_S:
+            elif not newer and now - at > SILENCE_S:
                 at = now
                 await socket.send_text('{"state":null,"lag":null}')
             await asyncio.sleep(PERIOD_S)

@@ -55,17 +55,18 @@ def test_axe_finds_nothing_on_pages_that_wait(
 
 @pytest.mark.slow
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_axe_finds_nothing_on_the_monitor_of_a_trial(
+def test_axe_finds_nothing_on_the_pages_of_a_trial(
     chromium: Browser, front: Path, driven_study: Path, tmp_path: Path, scheme: str
 ) -> None:
     study = tmp_path / "again.db"
     shutil.copy(driven_study, study)
     with session(study) as (participant, monitor, _):
-        chromium.tab(320, 240).open(participant)
-        tab = in_scheme(chromium.tab(), scheme)
+        screen, tab = (in_scheme(chromium.tab(640, 480), scheme) for _ in range(2))
+        screen.open(participant)
         tab.open(monitor)
         tab.wait_for("document.querySelectorAll('.health tbody tr').length === 6")
         assert complaints(tab, front) == []
+        assert complaints(screen, front) == []
 
 
 @pytest.mark.slow

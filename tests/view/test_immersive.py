@@ -71,6 +71,7 @@ def shown(chromium: Browser, page: Path, before: str) -> Tab:
     return tab
 
 
+@pytest.mark.slow
 def test_without_a_headset_there_is_no_way_in(chromium: Browser, page: Path) -> None:
     tab = shown(chromium, page, "")
     assert tab.value(f"{BUTTON}.hidden")
@@ -82,6 +83,7 @@ def test_without_a_headset_there_is_no_way_in(chromium: Browser, page: Path) -> 
     assert tab.faults == []
 
 
+@pytest.mark.slow
 def test_both_eyes_stand_at_the_robot_and_look_where_it_does(chromium: Browser, page: Path) -> None:
     tab = shown(chromium, page, HEADSET)
     tab.wait_for(f"!{BUTTON}.hidden")

@@ -46,6 +46,7 @@ def test_tab_reaches_every_control_of_a_replay(replay: Tab) -> None:
     assert any("collision" in name for name in found)
 
 
+@pytest.mark.slow
 def test_each_control_of_a_replay_is_operated(replay: Tab) -> None:
     go_to(replay, "Play")
     press(replay, "Enter")

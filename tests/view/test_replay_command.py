@@ -36,6 +36,24 @@ def test_the_page_is_named_after_study_and_trials(
     assert (tmp_path / "seen_trial_1_2.html").is_file()
 
 
+def test_names_of_conditions_are_told_to_those_who_ask(
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    driven_study: Path,
+    tmp_path: Path,
+) -> None:
+    """The first trial's condition is `none`, masked A."""
+    monkeypatch.chdir(tmp_path)
+    assert run(monkeypatch, "replay", driven_study, 1, "--json") == 0
+    masked = json.loads(capsys.readouterr().out)["trials"][0]
+    assert masked["label"] == "A"
+    assert "condition" not in masked
+    assert run(monkeypatch, "replay", driven_study, 1, "--json", "--unmask") == 0
+    named = json.loads(capsys.readouterr().out)["trials"][0]
+    assert named["condition"] == "none"
+    assert "label" not in named
+
+
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [

@@ -23,9 +23,9 @@ TOKEN = "of-this-test"
 
 
 @contextmanager
-def served(study: Path) -> Iterator[str]:
+def served(study: Path, *options: str) -> Iterator[str]:
     """Run the command and give the address that it prints."""
-    arguments = ("view", str(study), "--no-open", "--token", TOKEN)
+    arguments = ("view", str(study), "--no-open", "--token", TOKEN, *options)
     with subprocess.Popen(
         [sys.executable, "-c", COMMAND, *arguments], stdout=subprocess.PIPE, text=True
     ) as process:
@@ -112,6 +112,18 @@ def test_from_the_list_to_two_trials_side_by_side(address: str, chromium: Browse
     tab.wait_for("window.replay !== undefined")
     assert tab.value("location.pathname") == "/trial/1/2"
     assert tab.faults == []
+
+
+@pytest.mark.parametrize(("options", "head"), [((), "Label A"), (("--unmask",), "Condition none")])
+def test_the_list_calls_conditions_as_asked(
+    driven_study: Path, chromium: Browser, options: tuple[str, ...], head: str
+) -> None:
+    cells = "['thead', 'tbody'].map((p) => document.querySelector(p + ' tr').cells[3].textContent)"
+    with served(driven_study, *options) as address:
+        tab = chromium.tab()
+        tab.open(address)
+        tab.wait_for("document.querySelectorAll('tbody tr').length > 2")
+        assert tab.value(f"{cells}.join(' ')") == head
 
 
 def test_an_address_that_is_taken_is_said(address: str, driven_study: Path) -> None:
