@@ -159,10 +159,9 @@ def heard_now(line: StickLine, seconds: float) -> list[Telemetry]:
 
 def _render(line: StickLine, field: Field, seconds: float) -> list[Telemetry]:
     heard: list[Telemetry] = []
-    end = line.transport.now() + seconds
-    while line.transport.now() < end:
+    for _ in range(max(1, round(seconds / RENEWAL))):
         line.send(field)
-        heard += line.listen(min(RENEWAL, end - line.transport.now()))
+        heard += line.listen(RENEWAL)
     if not heard:
         heard = heard_now(line, 0.0)
     last = heard[-1]
