@@ -21,7 +21,7 @@ from omnistudy.devices import Device, DeviceState, Hand
 from omnistudy.devices.emulated_stick import EmulatedStickDevice
 from omnistudy.devices.real_time import before_others, real_time_means
 from omnistudy.devices.remote_device import RemoteDevice
-from omnistudy.geometry import ForceField, PlanarWrench
+from omnistudy.geometry import NO_FORCE, ForceField, PlanarWrench
 from omnistudy.operators import Person
 from omnistudy.protocol.compose import compose_protocol
 from omnistudy.seeds import seed_text
@@ -32,7 +32,9 @@ from omnistudy.trial import Glimpse, TrialSpec, run_trial
 SHORT = ("world=primitive_c", "routes=[through]", "participants.count=1", "order.block_length=1")
 """A trial of about twenty seconds."""
 FIELDS = 100
-GRIP = Hand((0.0,) * 3, (200.0, 200.0, 5.0), (10.0, 10.0, 0.1), (0.3, 0.3, 0.0015))
+GRIP = Hand((0.0,) * 3, (1_000.0, 1_000.0, 20.0), (50.0, 50.0, 0.5), (0.3, 0.3, 0.0015))
+FELT = 0.25
+"""N: more than centring changes by while the handle settles, less than two ticks of a new field."""
 CAP_SYS_NICE, PR_CAPBSET_DROP = 23, 24
 """Of capabilities(7) and prctl(2)."""
 
@@ -91,8 +93,8 @@ def in_this_process() -> dict[str, object]:
             result = run_trial(coupling, pace, stick)
         stick.close_trial()
         told = {measure.name: measure.value for measure in stick.measures(1)}
-        well = not stick.trouble()
-        felt = [_order_to_motors(stick, index) for index in range(FIELDS)] if well else []
+        with before_others():
+            felt = _fields_to_motors(stick)
     figures: dict[str, object] = {
         "trial": f"{result.status} {result.reason}".strip(),
         "turns": told.get("device_turns", 0.0),
@@ -109,28 +111,43 @@ def in_this_process() -> dict[str, object]:
     if stick.ages:
         figures["stick_to_new_field_ms"] = spread(stick.ages)
     if felt:
+        figures["fields_felt"] = len(felt)
         figures["new_field_to_motors_told_ms"] = spread(felt)
     return figures
+
+
+def _fields_to_motors(stick: RemoteDevice) -> list[float]:
+    """Order fields one after the other until the stick is in trouble, at most FIELDS."""
+    stick.open_trial(2)
+    _hold(stick, 1.0)
+    felt: list[float] = []
+    while len(felt) < FIELDS and not stick.trouble():
+        felt.append(_order_to_motors(stick, len(felt)))
+    return felt
 
 
 def _order_to_motors(stick: RemoteDevice, index: int) -> float:
     """From ordering a field to the telemetry in which another force is told, s.
 
-    The field before has faded by then.
+    Nothing pushed for a while, and the handle stands still.
     """
     push = 3.0 if index % 2 else -3.0
-    if index == 0:
-        stick.open_trial(2)
-    until = time.monotonic() + 0.06 + index * 1.37e-4
-    while time.monotonic() < until:
-        stick.advance(GRIP)
-        time.sleep(1e-3)
+    _hold(stick, 0.1 + index * 1.37e-4)
     before, began = stick.report.values[0], time.monotonic()
     stick.render(ForceField(PlanarWrench(push, 0.0, 0.0), valid_for=0.02))
     stick.advance(GRIP)
-    while abs(stick.report.values[0] - before) < 0.05:
+    while abs(stick.report.values[0] - before) < FELT and not stick.trouble():
         time.sleep(5e-5)
     return time.monotonic() - began
+
+
+def _hold(stick: RemoteDevice, seconds: float) -> None:
+    """Hold the handle for a while, without force but never silent."""
+    until = time.monotonic() + seconds
+    while time.monotonic() < until:
+        stick.render(NO_FORCE)
+        stick.advance(GRIP)
+        time.sleep(0.01)
 
 
 def live_figures() -> dict[str, dict[str, object]]:

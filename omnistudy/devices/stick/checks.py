@@ -1,6 +1,6 @@
 """What must pass before a stick gets force: switches, enable line, signs, zero, centring.
 
-Works on any transport; a stick under these checks has a quarter of its force at most.
+Works on any transport; a stick under these checks has two fifths of its force at most.
 """
 
 from __future__ import annotations

@@ -20,11 +20,12 @@ from omnistudy.devices.stick.messages import (
 from omnistudy.errors.devices import NoTelemetry
 from omnistudy.errors.stick_checks import ForceGone
 
-FORCE = 64
-"""PWM steps that any motor gets at most: a quarter of full duty (ours)."""
-PUSH = 38
-"""PWM steps of a push: 2 N nominal (ours)."""
-SLOWLY = 38
+FORCE = 96
+"""PWM steps that any motor gets at most: 5 N nominal (ours)."""
+PUSH = 57
+"""PWM steps of a push: 3 N nominal, more than the 2.2 N that the handle weighs on its
+stop (ours)."""
+SLOWLY = 57
 """PWM·ms/count of damping: a push then moves a count a millisecond, 0.14 m/s (ours)."""
 SPRING = 0.5
 """PWM/count towards where the stick is to go (ours)."""
@@ -47,6 +48,8 @@ STILL_FOR = 8
 MOVE_WITHIN = 8.0
 """s for one motion; from stop to stop theta needs 3 s (ours)."""
 NONE: Three = (0, 0, 0)
+WIDEST: Three = (2047, 2047, 2047)
+"""Counts: the greatest travel that the protocol takes."""
 
 
 class Stops(NamedTuple):
@@ -68,14 +71,16 @@ class Stops(NamedTuple):
 
 @contextmanager
 def low_force(line: StickLine, settings: Configuration) -> Iterator[None]:
-    """Arm the stick without centring and with little force; disarm it afterwards.
+    """Arm the stick with little force and none of its own; disarm it afterwards.
+
+    Its zero may be anywhere, so neither its travel nor the weight of its angle is known.
 
     Raises Refused, NoAnswer.
     """
     line.configure(
         settings._replace(
-            centring_stiffness=NONE, centring_damping=NONE, force_limit=limited(settings),
-            soft_start=SOFT_START,
+            centring_stiffness=NONE, centring_damping=NONE, gravity=NONE, travel=WIDEST,
+            force_limit=limited(settings), soft_start=SOFT_START,
         )
     )  # fmt: skip
     line.arm()
@@ -93,12 +98,21 @@ def limited(settings: Configuration) -> Three:
 
 
 def moved_by_a_push(line: StickLine, axis: int) -> int:
-    """Push an axis until it has moved a little; give by how many counts."""
-    start = _render(line, device_field(), RENEWAL)[-1].position[axis]
-    field = device_field(wrench=along(axis, PUSH))
+    """Push an axis until it has moved a little; give by how many counts along the push.
+
+    A stick that leans on a stop cannot move that way, so it is pushed the other way too.
+    """
+    there = _moved(line, axis, PUSH)
+    return there if abs(there) >= FAR_ENOUGH else max(there, -_moved(line, axis, -PUSH), key=abs)
+
+
+def _moved(line: StickLine, axis: int, push: int) -> int:
+    start = _until_still(line, device_field())[axis]  # it may be falling to its stop
+    field = device_field(wrench=along(axis, push))
     moved = 0
     for _ in range(round(PUSH_WITHIN / RENEWAL)):
-        moved = _render(line, field, RENEWAL)[-1].position[axis] - start
+        ways = (told.position[axis] - start for told in _render(line, field, RENEWAL))
+        moved = max(moved, *ways, key=abs)
         if abs(moved) >= FAR_ENOUGH:
             break
     return moved
@@ -159,10 +173,9 @@ def heard_now(line: StickLine, seconds: float) -> list[Telemetry]:
 
 def _render(line: StickLine, field: Field, seconds: float) -> list[Telemetry]:
     heard: list[Telemetry] = []
-    end = line.transport.now() + seconds
-    while line.transport.now() < end:
+    for _ in range(max(1, round(seconds / RENEWAL))):
         line.send(field)
-        heard += line.listen(min(RENEWAL, end - line.transport.now()))
+        heard += line.listen(RENEWAL)
     if not heard:
         heard = heard_now(line, 0.0)
     last = heard[-1]
