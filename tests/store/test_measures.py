@@ -41,9 +41,7 @@ class Finish:
 
 
 @pytest.fixture
-def leave(
-    outcome: TrialOutcome, events: tuple[Event, ...], samples: NDArray[np.float64]
-) -> Finish:
+def leave(outcome: TrialOutcome, events: tuple[Event, ...], samples: NDArray[np.float64]) -> Finish:
     return Finish(outcome, events, samples)
 
 
