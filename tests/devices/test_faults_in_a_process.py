@@ -37,7 +37,7 @@ def until(happened: Callable[[], object]) -> None:
     [
         ("unplug", "nothing was heard"),
         ("brown_out", "started anew \\(a brown-out\\)"),
-        ("slow_telemetry", "only 60% of its telemetry"),
+        ("slow_telemetry", "of its telemetry came"),
         ("other_stick", "another stick was plugged in"),
         ("frozen_encoder", "encoder of x stands still"),
         ("estop", "ESTOP"),

@@ -82,7 +82,10 @@ def accompany(trial: object) -> Watcher:
     ("faults", "causes"),
     [
         (("brown_out", "unplug"), ("a brown-out", "nothing was heard")),
-        (("slow_telemetry", "other_stick"), ("only 6", "another stick was plugged in")),
+        (
+            ("slow_telemetry", "other_stick"),
+            ("of its telemetry came", "another stick was plugged in"),
+        ),
     ],
 )
 @pytest.mark.usefixtures("announced")
