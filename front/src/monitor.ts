@@ -3,7 +3,7 @@
 import { Bars } from "./bars";
 import { EventLog } from "./event_log";
 import { Health, measured } from "./health";
-import { Live, momentOf, type LiveSetting, type State } from "./live";
+import { Live, momentOf, type Dialogue, type LiveSetting, type State } from "./live";
 import { named, Progress, remaining } from "./progress";
 import { layer, Scanned } from "./sensed";
 import { NoWebGL, Stage, VIEWS, VIEW_NAMES, type View } from "./stage";
@@ -11,6 +11,14 @@ import { clock, make, NO_WEBGL } from "./words";
 
 const CAPACITY = 40_000;
 const IDLE = "No trial is running.";
+const BETWEEN: { [page in Dialogue["page"]]: string } = {
+  instruct: "The participant reads the instructions.",
+  rest: "The participant rests.",
+  countdown: "The next trial begins.",
+  consent: "The participant reads the consent form.",
+  survey: "The participant answers questions.",
+  thank: "The participant is thanked.",
+};
 
 /** One number with its name. */
 class Figure {
@@ -93,6 +101,7 @@ class MonitorPage {
   private where(running: boolean): string {
     const setting = this.setting;
     if (this.live.lost) return "The connection to the session is lost.";
+    if (this.live.dialogue) return BETWEEN[this.live.dialogue.page];
     if (!running || !setting) return IDLE;
     return `Trial ${setting.trial} · ${setting.participant} · ${named(setting)} · ${setting.route} · `
       + `visit ${setting.visit}, ${setting.kind} ${setting.place} of ${setting.places}`;
@@ -104,8 +113,10 @@ class MonitorPage {
     const known = state !== null && this.setting?.trial === state.trial;
     const where = this.where(known);
     if (this.heading.textContent !== where) this.heading.textContent = where;
-    this.idle.hidden = state !== null;
+    this.idle.hidden = state !== null || this.live.dialogue !== null;
     if (!state) this.rest();
+    const pause = this.live.dialogue?.remaining ?? 0;
+    if (!state) this.numbers.time.set(pause > 0 ? `pause, ${clock(pause)} left` : "–");
     if (!state || !known) return;
     const running = state.status === "running";
     const age = running ? Math.max(0, this.live.clock.now - 1000 * state.made) : 0;

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -200,3 +201,19 @@ def test_a_lost_connection_is_told(chromium: Browser, tmp_path: Path) -> None:
     told = "document.querySelector('.message').textContent"
     tab.wait_for(f"{told}.includes('connection was lost')")
     assert not tab.value("document.querySelector('.message').hidden")
+
+
+def test_the_monitor_says_what_the_participant_is_shown(chromium: Browser, met: Meeting) -> None:
+    watch = chromium.tab(800, 600)
+    watch.open(met.address.replace("/participant?", "/monitor?"))
+    watch.wait_for("document.querySelector('.where').textContent === 'No trial is running.'")
+    rest = met.begin(met.dialogue().rest, 50.0)
+    watch.wait_for("document.querySelector('.where').textContent === 'The participant rests.'")
+    assert re.fullmatch(
+        r"pause, 0:[1-4]\d\.\d left",
+        watch.value("document.querySelector('.numbers dd').textContent"),
+    )
+    WithMouse(met.tab).take(MAIN)
+    rest.result(20)
+    watch.wait_for("document.querySelector('.numbers dd').textContent === '–'")
+    assert watch.faults == []
