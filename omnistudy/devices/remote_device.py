@@ -92,7 +92,8 @@ class RemoteDevice(RunningDevice):
         nothing = (0.0,) * len(told.axes)
         state = DeviceState(nothing, nothing)
         values = (0.0,) * len(told.channels)
-        self._report = Report(0, time.monotonic(), 0, 0, Health(), state, values, "")
+        health = Health(saturated=(0,) * len(told.axes))
+        self._report = Report(0, time.monotonic(), 0, 0, health, state, values, "")
         self.late_fields = 0
 
     @property

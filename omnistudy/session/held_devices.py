@@ -91,8 +91,10 @@ class HeldDevices:
             self._apart.remote.open_trial(trial)
 
     def measures(self) -> tuple[Measure, ...]:
-        """Tell how well the trial that is running is served so far."""
-        return self._apart.remote.measures(self._trial) if self._apart is not None else ()
+        """Tell how well the trial that is running is served so far, once its device knows of it."""
+        if self._apart is None or self._apart.remote.report.trial != self._trial:
+            return ()
+        return self._apart.remote.measures(self._trial)
 
     def deflection(self) -> tuple[float, float, float] | None:
         """Give where the stick stands in parts of its full deflection, -1..1; None without one."""

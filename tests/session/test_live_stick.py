@@ -6,12 +6,14 @@ a part dies.
 
 from __future__ import annotations
 
+import json
 import os
 import signal
 import subprocess
 import sys
 from multiprocessing import active_children
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -27,7 +29,7 @@ from omnistudy.session.run import INTERRUPTED
 from omnistudy.session.specs import trial_spec
 from omnistudy.store import StoredTrial, StudyWriter
 from omnistudy.study.frozen import frozen_protocol
-from omnistudy.trial import resimulate
+from omnistudy.trial import TrialResult, resimulate
 from omnistudy.view.attendance import attended
 
 pytestmark = pytest.mark.slow
@@ -119,6 +121,39 @@ def test_a_killed_recorder_costs_no_row_and_is_told(short: Path) -> None:
     assert "recorder" in kinds
     assert told["lost_rows"] == 0
     assert (np.diff(ticks_of(short, number)) == 1).all()
+
+
+def test_the_monitor_hears_how_the_stick_does_and_pages_where_it_stands(short: Path) -> None:
+    seen: dict[str, Any] = {}
+    with attended(short) as attendance, HeldDevices(short) as devices:
+        assert devices.deflection() is None
+
+        def accompany(trial: StoredTrial) -> RealTime:
+            return attendance.accompany(trial, devices.measures)
+
+        def look(trial: StoredTrial, result: TrialResult) -> None:
+            state, _ = attendance.meeting()
+            found = state.read()
+            assert found is not None
+            seen.update(json.loads(found.data))
+            seen["deflection"] = devices.deflection()
+
+        run_trials(
+            short,
+            limit=1,
+            run=lambda ready, specs: run_live(ready, specs, accompany, devices),
+            finished=look,
+        )
+    assert len(seen["deflection"]) == 3
+    assert all(-1.0 <= share <= 1.0 for share in seen["deflection"])
+    assert any(seen["deflection"])
+    health = {reading["name"]: reading for reading in seen["health"]}
+    assert {"late steps", "turn lateness p99", "dropped frames", "late fields"} <= set(health)
+    assert health["dropped frames"] == {
+        "name": "dropped frames", "value": 0.0, "unit": "", "ok": True,
+    }  # fmt: skip
+    assert health["turn lateness p99"]["unit"] == "ms"
+    assert any(name.startswith("saturated stick") for name in health)
 
 
 def test_a_killed_page_server_is_not_even_noticed(short: Path) -> None:
