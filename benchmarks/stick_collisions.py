@@ -1,7 +1,9 @@
 """The same trials with the simulated stick and through the firmware: collisions of each.
 
-Ten virtual participants drive the published study's first route with full feedback, in lockstep.
-Seeds differ, the two sticks of a seed share everything else. About twenty minutes on two cores.
+Ten virtual participants drive the published study's first route with full feedback. Seeds differ,
+the two sticks of a seed share everything else. In lockstep about twenty minutes on two cores. With
+--live the firmware runs in real time in a process of its own, as in a session: a worker then needs
+half a core, and the machine should do nothing else.
 """
 
 from __future__ import annotations
@@ -13,13 +15,17 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from typing import NamedTuple
 
+from stick_live import Pace
+
 from omnistudy.devices.emulated_stick import EmulatedStickDevice
+from omnistudy.devices.real_time import before_others
+from omnistudy.devices.remote_device import RemoteDevice
 from omnistudy.devices.simulated_stick import SimulatedStick
 from omnistudy.operators import Person
 from omnistudy.protocol.compose import compose_protocol
 from omnistudy.seeds import seed_text
 from omnistudy.session.specs import coupled
-from omnistudy.trial import TrialSpec, run_trial
+from omnistudy.trial import TrialResult, TrialSpec, run_trial
 
 PROTOCOL, CONDITION = "utah2017_component", "full"
 ALLOWED = 0.2
@@ -51,11 +57,21 @@ def spec(seed: int, device: str, attempt: int) -> TrialSpec:
     return replace(coupling, device=stick)
 
 
-def drive(seed: int, device: str) -> Driven:
+def live(trial: TrialSpec) -> TrialResult:
+    """Drive in real time with the device in a process of its own."""
+    with RemoteDevice(trial.device) as held, before_others():
+        held.open_trial(1)
+        result = run_trial(trial, Pace(), held)
+        held.close_trial()
+        return result
+
+
+def drive(seed: int, device: str, in_real_time: bool) -> Driven:
     """Drive as a session does: what is void has another attempt."""
+    run = live if in_real_time and device == "emulated_stick" else run_trial
     voids: list[str] = []
     while True:
-        result = run_trial(spec(seed, device, len(voids) + 1))
+        result = run(spec(seed, device, len(voids) + 1))
         if result.status != "void" or len(voids) == MOST_VOIDS:
             seconds = round(result.duration_s or 0.0, 1)
             return Driven(seed, device, result.status, seconds, result.collisions, voids)
@@ -80,9 +96,10 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--seeds", type=int, default=10)
     parser.add_argument("--workers", type=int, default=2)
+    parser.add_argument("--live", action="store_true")
     given = parser.parse_args()
     wanted = [
-        (seed, device)
+        (seed, device, given.live)
         for seed in range(1, given.seeds + 1)
         for device in ("emulated_stick", "simulated_stick")
     ]

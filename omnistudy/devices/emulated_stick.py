@@ -12,6 +12,8 @@ from omnistudy.devices.stick.ceiling import NO_CEILING, Ceiling
 from omnistudy.devices.stick.force_calibration import ForceCalibration
 from omnistudy.devices.stick.passivity import AddedDamping
 
+ATTENDED = "The emulated stick is checked; an emulated attendant does what is asked:"
+
 
 class EmulatedStickDevice(Device):
     """The firmware in the loop: each instruction is run, the mechanism moves 20 000 times a second.
@@ -43,6 +45,7 @@ class EmulatedStickDevice(Device):
         board = EmulatedStick(mechanisms(self.stick))
         board.release()
         attendant = Attendant(board)
+        tell(ATTENDED)
 
         def told(sentence: str) -> None:
             tell(sentence)
