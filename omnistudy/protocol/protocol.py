@@ -101,6 +101,12 @@ class Protocol(Model):
             return self.visits
         return (Visit(name="first", blocks=(Block(order=self.order),)),)
 
+    @property
+    def driven_by_people(self) -> bool:
+        """Whether a person holds the device in some condition."""
+        setups = (self.setup_for(condition.name) for condition in self.conditions)
+        return any(not setup.operator.in_lockstep for setup in setups)
+
     def condition(self, name: str) -> Condition:
         """Give a condition by name; raises UnknownCondition."""
         for condition in self.conditions:

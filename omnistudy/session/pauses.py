@@ -73,12 +73,11 @@ def pauses_of(study: Path, converse: Converse, devices: HeldDevices) -> Pauses:
     """
     with open_study(study) as opened:
         protocol = frozen_protocol(opened.study)
-    drivers = [protocol.setup_for(condition.name).operator for condition in protocol.conditions]
-    people = any(not driver.in_lockstep for driver in drivers)
 
     def ready(trial: StoredTrial) -> None:
         device = protocol.setup_for(trial.condition or "").device
         devices.take(device, protocol.recording.physics_hz)
 
-    dialogue = converse(automatic_s=None if people else AUTOMATIC_S, stick=devices.deflection)
+    automatic_s = None if protocol.driven_by_people else AUTOMATIC_S
+    dialogue = converse(automatic_s=automatic_s, stick=devices.deflection)
     return Pauses(dialogue, protocol.session.pause, ready)

@@ -92,7 +92,7 @@ def film(study: StudyFile, trial: int, *, unmask: bool = False) -> Film:
     events = tuple(Event(*row) for row in found.itertuples(index=False, name=None))
     return Film(
         study=study.study.name,
-        virtual=study.study.kind == "virtual",
+        virtual=study.study.kind == "virtual" and setup.operator.in_lockstep,
         trial=trial,
         participant=row["participant"],
         condition=Labels(study, unmask=unmask).of(row["condition"]),

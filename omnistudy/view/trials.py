@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from omnistudy.registry import Model
 from omnistudy.store.study_file import StudyFile
+from omnistudy.study.frozen import frozen_protocol
 from omnistudy.view.labels import Labels
 
 SHOWN = ("trial", "participant", "position", "condition", "route", "status")
@@ -41,6 +42,7 @@ class TrialList(Model):
 def trial_list(study: StudyFile, *, unmask: bool = False) -> TrialList:
     """Read which trials there are; `unmask` gives the names of their conditions."""
     table = study.trials()
+    protocol = frozen_protocol(study.study)
     rows = table[[*SHOWN, "duration_s", "collisions"]].astype(object)
     rows = rows.where(table[rows.columns].notna(), None)
     labels = Labels(study, unmask=unmask)
@@ -48,7 +50,7 @@ def trial_list(study: StudyFile, *, unmask: bool = False) -> TrialList:
     return TrialList(
         study=study.study.name,
         title=study.study.title,
-        virtual=study.study.kind == "virtual",
+        virtual=study.study.kind == "virtual" and not protocol.driven_by_people,
         masked=not unmask,
         trials=tuple(
             ListedTrial.model_validate({str(name): value for name, value in record.items()})

@@ -11,6 +11,8 @@ import pytest
 
 import omnistudy
 from omnistudy.view.chromium import Browser, Tab
+from omnistudy.view.film import film
+from omnistudy.view.trials import trial_list
 
 COMMAND = "from omnistudy.cli.app import main; main()"
 STATE = "window.participant.live.state"
@@ -31,7 +33,7 @@ def test_held_keys_drive_the_robot_and_stop_ends_it(tmp_path: Path, chromium: Br
             tab = _participant(chromium, process)
             began = tab.value(f"{STATE}.values.x")
             tab.ask("Input.dispatchKeyEvent", type="rawKeyDown", **FORWARD)
-            tab.wait_for(f"{STATE}.values.x > {began} + 0.2")
+            tab.wait_for(f"{STATE}.values.x < {began} - 0.2")  # the robot looks that way
             tab.ask("Input.dispatchKeyEvent", type="keyUp", **FORWARD)
             tab.wait_for(f"Math.abs({STATE}.values.stick_x) < 1e-9")
             tab.value("document.querySelector('.stop').click()")
@@ -41,9 +43,11 @@ def test_held_keys_drive_the_robot_and_stop_ends_it(tmp_path: Path, chromium: Br
     assert process.returncode == 0, complained
     assert told.startswith("aborted (stopped by hand)")
     with omnistudy.open(file) as study:
+        assert not film(study, 1).virtual, "a person drove"
+        assert not trial_list(study).virtual
         samples = study.samples(1)
         (device,) = study.devices().to_dict("records")
-    assert samples["x"].max() - samples["x"].iloc[0] > 0.2
+    assert samples["x"].iloc[0] - samples["x"].min() > 0.2
     assert samples["stick_x"].max() > 0.0 == samples["stick_y"].abs().max()
     assert (device["kind"], device["wrench"], device["pushes"]) == ("keyboard", "none", "")
 
