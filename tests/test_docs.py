@@ -20,6 +20,7 @@ RUNNABLE = {"console", "python"}
 NOT_RUNNABLE = {"text", "yaml", "sql", "json", "csv", "toml", ""}
 MAY_STAY_UNRUN = re.compile(
     r"make |git clone |cd |\. \.venv/|python3? -m venv |pip install |omnistudy .*\.\./shared/data/"
+    r"|omnistudy drive primitive_a --device keyboard$"
 )
 
 FENCE = re.compile(
