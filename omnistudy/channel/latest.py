@@ -12,7 +12,7 @@ from zlib import crc32
 HEADER = struct.Struct("<Q")
 """Number of the value written last; 0 before the first."""
 SLOT = struct.Struct("<QII")
-"""Number, length in bytes and CRC-32 of the value in a slot."""
+"""Number, length in bytes and CRC-32 of the value in a slot; the CRC begins at the number."""
 TRIES = 8
 """Looks of a reader whose slot is written anew under its eyes."""
 
@@ -66,7 +66,7 @@ class LatestValue:
         start = self._start(self._number)
         body = start + SLOT.size
         self._memory[body : body + len(data)] = data
-        SLOT.pack_into(self._memory, start, self._number, len(data), crc32(data))
+        SLOT.pack_into(self._memory, start, self._number, len(data), _checksum(self._number, data))
         HEADER.pack_into(self._memory, 0, self._number)
 
     def read(self) -> Value | None:
@@ -77,7 +77,7 @@ class LatestValue:
             found, length, checksum = SLOT.unpack_from(self._memory, start)
             body = start + SLOT.size
             data = self._memory[body : body + length]
-            if number and found == number and crc32(data) == checksum:
+            if number and found == number and _checksum(number, data) == checksum:
                 return Value(number, data)
         return None
 
@@ -92,3 +92,8 @@ class LatestValue:
 
     def _start(self, number: int) -> int:
         return HEADER.size + (number % 2) * self._slot_size
+
+
+def _checksum(number: int, data: bytes) -> int:
+    """Bind a value to its number: a slot's header may be read while it is being written."""
+    return crc32(data, number & 0xFFFFFFFF)

@@ -128,7 +128,8 @@ class Browser:
         return tab
 
     def _connected(self, address: str) -> ClientConnection:
-        return self._connections.enter_context(connect(address, max_size=None, proxy=None))
+        line = connect(address, max_size=None, proxy=None, ping_interval=None)  # on this machine
+        return self._connections.enter_context(line)
 
 
 @contextmanager

@@ -11,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from omnistudy.channel import LatestValue
+from omnistudy.channel.latest import HEADER
 
 WRITER = """
 import sys
@@ -90,3 +91,16 @@ def test_a_torn_value_is_none(tmp_path: Path) -> None:
         assert value.read() is None
         value.write(b"next")
         assert value.read() == (2, b"next")
+
+
+def test_a_header_half_written_is_no_value(tmp_path: Path) -> None:
+    path = tmp_path / "value"
+    with LatestValue(path, 10) as value:
+        for data in (b"one", b"two", b"three"):
+            value.write(data)
+        stored = bytearray(path.read_bytes())
+        slot = HEADER.size + (len(stored) - HEADER.size) // 2
+        HEADER.pack_into(stored, slot, 1)  # length and checksum are those of "three" already
+        HEADER.pack_into(stored, 0, 1)
+        path.write_bytes(stored)
+        assert value.read() is None
