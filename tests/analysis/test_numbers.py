@@ -127,6 +127,7 @@ def test_every_claim_has_a_row_and_what_was_calibrated_is_called_so(synthetic: S
     assert calibrated == {"mean_without", "best_without_mean", "worst_without_mean"}
 
 
+@pytest.mark.slow
 def test_numbers_with_feedback_are_intervals_over_the_prior_never_points(
     synthetic: Synthetic,
 ) -> None:

@@ -48,6 +48,7 @@ def readings(tmp_path: Path) -> Path:
     return file
 
 
+@pytest.mark.slow
 def test_readings_become_a_page_that_a_stick_is_driven_by(
     tmp_path: Path, readings: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -66,6 +67,7 @@ def test_readings_become_a_page_that_a_stick_is_driven_by(
     assert scale.dead_band == pytest.approx((10, 10, 10), rel=1e-3)
 
 
+@pytest.mark.slow
 def test_a_page_is_shown_and_not_written_or_asked_for_before_it_is_replaced(
     tmp_path: Path, readings: Path
 ) -> None:
@@ -81,6 +83,7 @@ def test_a_page_is_shown_and_not_written_or_asked_for_before_it_is_replaced(
     assert kept == "kind: emulated_stick\n"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("device", "options", "code", "said"),
     [
@@ -98,6 +101,7 @@ def test_what_is_missing_is_one_sentence(
     assert "Traceback" not in ran.stderr
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("line", "said"),
     [("x,50", "no reading"), ("z,50,1.0", "axis 'z'"), ("x,5.5,1.0", "duty '5.5'")],

@@ -78,6 +78,7 @@ def test_what_is_plugged_in_is_listed() -> None:
     assert "T.16000M" in omnistudy("device", "list").out
 
 
+@pytest.mark.slow
 @in_a_child
 def test_a_gamepad_is_checked(tmp_path: Path) -> None:
     there = VirtualJoystick("Pad", gamepad=True)

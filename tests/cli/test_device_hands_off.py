@@ -113,6 +113,7 @@ def test_somebody_s_ceiling_becomes_a_page(somebody: Somebody, tmp_path: Path) -
     assert 0.3 <= device.ceiling.theta <= 0.57
 
 
+@pytest.mark.slow
 def test_a_device_without_hardware_is_one_sentence(tmp_path: Path) -> None:
     for verb in (("check", "emulated_stick", "--force"),
                  ("familiarise", "emulated_stick", "--page", "P01")):  # fmt: skip

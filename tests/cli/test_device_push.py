@@ -42,6 +42,7 @@ def measure(
     )  # fmt: skip
 
 
+@pytest.mark.slow
 def test_pushes_are_led_through_and_newtons_become_the_page(
     system: FakeSystem, tmp_path: Path
 ) -> None:
@@ -59,6 +60,7 @@ def test_pushes_are_led_through_and_newtons_become_the_page(
     assert pushed[-1]["level"] == 0
 
 
+@pytest.mark.slow
 def test_a_stick_that_pushes_the_other_way_is_turned_round(
     system: FakeSystem, tmp_path: Path
 ) -> None:
@@ -69,6 +71,7 @@ def test_a_stick_that_pushes_the_other_way_is_turned_round(
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.slow
 def test_an_instrument_must_be_named(system: FakeSystem, tmp_path: Path) -> None:
     ran = measure(system, tmp_path)
     assert ran.returncode == 2

@@ -16,6 +16,7 @@ from omnistudy.devices.stick.checks import LET_GO, PRESS_STOP
 from omnistudy.errors.stick_checks import ChecksFailed
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("toolchain")
 def test_the_emulated_stick_is_led_through_its_checks() -> None:
     told: list[str] = []
@@ -38,6 +39,7 @@ def test_a_device_without_force_has_nothing_to_check() -> None:
     assert DirectDevice().before_force(pytest.fail) == ()
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("toolchain")
 def test_a_zero_that_drifted_is_told_when_something_was_driven(bench: Bench) -> None:
     bench.board.release()

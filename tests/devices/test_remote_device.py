@@ -146,6 +146,7 @@ if __name__ == "__main__":
 """
 
 
+@pytest.mark.slow
 def test_a_dead_simulation_lets_the_stick_go_soft(toolchain: None, tmp_path: Path) -> None:
     script = tmp_path / "simulation.py"
     script.write_text(SIMULATION)

@@ -122,6 +122,7 @@ def test_a_zero_that_lets_the_stick_stand_beyond_its_stop_is_told(drive: Drive) 
     assert is_soft(drive.stick)
 
 
+@pytest.mark.slow
 def test_ten_seconds_at_a_limit_are_told(drive: Drive) -> None:
     held = Hand((0.02, 0.0, 0.0), (3000.0, 3000.0, 50.0), (60.0, 60.0, 1.0), MASS)
     for tick in range(11_000):

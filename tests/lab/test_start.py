@@ -55,6 +55,7 @@ def test_a_plan_names_every_file_and_writes_none(lab: Path, noun: str) -> None:
     assert not lab.exists()
 
 
+@pytest.mark.slow
 @given(st.sampled_from(NOUNS), st.from_regex(r"[a-z][a-z0-9_]{0,59}", fullmatch=True))
 def test_any_name_gives_python_that_parses_and_pages_that_say_it(noun: str, name: str) -> None:
     try:

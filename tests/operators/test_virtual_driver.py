@@ -76,6 +76,7 @@ def paths_apart(first: TrialResult, second: TrialResult) -> float:
     return float(np.hypot(*apart.T).max())
 
 
+@pytest.mark.slow
 def test_no_feedback_is_zero_force_bit_for_bit() -> None:
     for result in drives(NoLaw):
         forces = result.samples[:, FX : TAU + 1]

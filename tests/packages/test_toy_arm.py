@@ -21,6 +21,8 @@ import omnistudy
 from omnistudy.channel import SAMPLE_COLUMNS
 from omnistudy.view.chromium import browser
 
+pytestmark = pytest.mark.slow
+
 PACKAGE = Path(__file__).parent / "omnistudy_toy_arm"
 LAB = PACKAGE / "lab"
 CUP = np.array([0.75, 0.15, 0.45])
@@ -161,7 +163,6 @@ def test_its_trials_resimulate_from_the_database(
     assert printed.split() == [part for n in range(1, 5) for part in (str(n), "completed")]
 
 
-@pytest.mark.slow
 def test_its_gains_are_swept_by_workers_of_their_own(installed: Path, tmp_path: Path) -> None:
     asked = ("reaching", "controller.gain=3,6", f"operator.file={LAB / 'reach.csv'}")
     options = ("--condition", "slow", "--name", "gains", "--launcher", "joblib", "--workers", "2")
@@ -181,7 +182,6 @@ SEEN = """(() => {
 """Where the page draws the end of the last link."""
 
 
-@pytest.mark.slow
 def test_its_arm_moves_in_a_replay_as_it_did(
     installed: Path,
     study: Path,

@@ -110,6 +110,7 @@ def test_the_wheel_holds_the_firmwares_sources_and_nothing_compiled(installed: P
     assert {path.suffix for path in packed} <= {".c", ".h", ".py", ".yaml", ".md", ""}
 
 
+@pytest.mark.slow
 def test_the_editable_install_finds_the_checkouts_pages(away: Path, lab: Path) -> None:
     ours = shown(away)
     labs = shown(away, OMNISTUDY_CONF=str(lab))

@@ -19,6 +19,8 @@ from omnistudy.analysis.report import analyse
 from omnistudy.report.page import render
 from omnistudy.report.pictures import pictures
 
+pytestmark = pytest.mark.slow
+
 VOID = {"meta", "br", "link", "img", "input", "hr"}
 
 

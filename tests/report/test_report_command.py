@@ -13,6 +13,8 @@ from omnistudy.protocol.compose import compose_protocol
 from omnistudy.session import run_trials
 from omnistudy.study import create_study
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(scope="module")
 def study(tmp_path_factory: pytest.TempPathFactory) -> Path:

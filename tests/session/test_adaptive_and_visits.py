@@ -87,6 +87,7 @@ def test_a_staircase_is_the_same_with_two_workers_and_after_a_stop(
     assert len(digests) == 1
 
 
+@pytest.mark.slow
 def test_visits_are_sessions_of_their_own_and_practice_goes_on(tmp_path: Path) -> None:
     protocol = changed_protocol(
         *QUICK,

@@ -68,6 +68,7 @@ def test_drives_are_the_same_on_one_core_and_two() -> None:
     ]
 
 
+@pytest.mark.slow
 def test_seed_is_another_person() -> None:
     times = {drive_worlds([straight_world()], ["none"], seed=seed)[0].time_s for seed in (1, 2, 1)}
     assert len(times) == 2
@@ -81,6 +82,7 @@ def test_worlds_that_cannot_be_driven_are_told() -> None:
         drive_worlds([inside], ["none"])
 
 
+@pytest.mark.slow
 def test_command_drives_worlds_by_name(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -105,6 +105,7 @@ def test_half_a_turn() -> None:
     assert arrived(summary)
 
 
+@pytest.mark.slow
 def test_half_a_turn_that_no_posture_makes_over_the_ground_is_made_in_free_space() -> None:
     goal = {"turns": [{"axis": "x", "angle": pi}]}
     with pytest.raises(ImpossibleTask, match="stops after"):
@@ -167,6 +168,7 @@ def test_a_goal_too_far_from_the_chairs_is_refused_with_the_nearest_stand_off() 
     assert 3.0 - 1.34 < float(where.split()[5]) < 3.0
 
 
+@pytest.mark.slow
 def test_without_a_goal_the_chair_goes_to_a_stand_off() -> None:
     page = task({"position": [3.0, 1.0, 0.9]}, carried=True)
     plan = plan_task(page)

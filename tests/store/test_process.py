@@ -82,6 +82,7 @@ def test_a_full_second_is_stored_while_the_trial_runs(
     until(lambda: recorder.rows(1) == 1000)
 
 
+@pytest.mark.slow
 def test_killed_recorders_lose_nothing_and_store_nothing_twice(
     running: Path, ring: Ring, recorder: Recorder
 ) -> None:
@@ -102,6 +103,7 @@ def test_killed_recorders_lose_nothing_and_store_nothing_twice(
     np.testing.assert_array_equal(stored(running, 1), expected(range(4500)))
 
 
+@pytest.mark.slow
 def test_rows_that_were_stored_but_not_yet_taken_are_not_stored_again(
     running: Path, ring: Ring
 ) -> None:

@@ -20,6 +20,8 @@ from .people import (
     WithStick,
 )
 
+pytestmark = pytest.mark.slow
+
 Met = tuple[Person, Meeting, PageDialogue]
 
 
@@ -61,7 +63,6 @@ def test_everyone_can_agree_and_decline(person: Met) -> None:
     assert said.result(20) == ConsentAnswer(version="2", agreed=False)
 
 
-@pytest.mark.slow
 def test_everyone_can_answer_every_kind_of_question(person: Met) -> None:
     who, met, dialogue = person
     asked = met.begin(dialogue.ask, INSTRUMENT)
@@ -155,7 +156,6 @@ def test_a_page_that_is_loaded_again_has_the_answers_still(met: Meeting) -> None
     assert met.tab.value("sessionStorage.length") == 0
 
 
-@pytest.mark.slow
 def test_the_countdown_counts_and_the_thanks_stay(met: Meeting) -> None:
     met.tab.value(
         "window.counts = []; new MutationObserver(() => {"

@@ -15,6 +15,8 @@ from omnistudy.view.page import replay_page, saying_page, write_page
 from .keys import go_to, press, tabbed
 from .test_server import served
 
+pytestmark = pytest.mark.slow
+
 PLAYER = "window.replay.player"
 STAGE = f"{PLAYER}.reels[0].stage"
 
@@ -46,7 +48,6 @@ def test_tab_reaches_every_control_of_a_replay(replay: Tab) -> None:
     assert any("collision" in name for name in found)
 
 
-@pytest.mark.slow
 def test_each_control_of_a_replay_is_operated(replay: Tab) -> None:
     go_to(replay, "Play")
     press(replay, "Enter")

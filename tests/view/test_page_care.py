@@ -17,6 +17,8 @@ from omnistudy.view.chromium import Browser
 from .meeting import AGE_AND_WORDS, MAIN, Meeting, meeting, on
 from .people import WithKeyboard, WithMouse, press, until
 
+pytestmark = pytest.mark.slow
+
 CONTROLS = "button:enabled, input, textarea, [tabindex='0']"
 VISIBLE = f"""
 [...document.querySelectorAll({CONTROLS!r})].filter((one) => one.getClientRects().length)
@@ -49,7 +51,6 @@ def test_tab_goes_through_every_control_and_the_focus_is_seen(met: Meeting, page
         begun.result(20)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_axe_finds_nothing_between_trials(
     met: Meeting, met_switch: Meeting, front: Path, scheme: str

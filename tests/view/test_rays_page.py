@@ -17,6 +17,8 @@ from omnistudy.view.chromium import Browser, Tab
 
 from .made_films import RECORD, made_film, opened
 
+pytestmark = pytest.mark.slow
+
 LOW = Body(name="low", role="target", geometry=Box(x=0.1, y=0.1, z=0.1), x=-0.45, y=0.1, z=0.05)
 GHOST = Body(
     name="ghost",

@@ -13,6 +13,8 @@ from omnistudy.view.chromium import Browser, Tab
 
 from .made_films import made_film, opened
 
+pytestmark = pytest.mark.slow
+
 STAGE = "window.replay.player.reels[0].stage"
 DOOR = Body(
     name="door",

@@ -18,6 +18,8 @@ from websockets.typing import Origin
 
 from omnistudy.view.chromium import Browser
 
+pytestmark = pytest.mark.slow
+
 COMMAND = "from omnistudy.cli.app import main; main()"
 TOKEN = "of-this-test"
 

@@ -15,6 +15,8 @@ from omnistudy.view.chromium import Browser, Tab
 
 from .test_server import served
 
+pytestmark = pytest.mark.slow
+
 READ = "document.querySelector('main').innerText"
 
 
@@ -91,7 +93,6 @@ def in_use(study: Path) -> Iterator[None]:
         holder.execute("ROLLBACK")
 
 
-@pytest.mark.slow
 def test_a_database_in_use_is_said_and_shown_once_it_is_free(
     tab: Tab, address: str, copied: Path
 ) -> None:

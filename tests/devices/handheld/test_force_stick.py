@@ -188,6 +188,7 @@ def test_unplugged_it_rests_says_so_and_nothing_is_raised(plug_in: Callable[...,
     stick.ask("close")
 
 
+@pytest.mark.slow
 def test_sdl_renders_the_same_effects(plug_in: Callable[..., Stick]) -> None:
     field = ForceField(PlanarWrench(1.0, -2.0, 0.0), (0.01, 0, 0), SPRING, DAMPER, 0.1)
     told = []

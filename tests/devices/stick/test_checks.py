@@ -38,6 +38,7 @@ def failed(checks: Checks) -> list[str]:
     return [finding.what for finding in checks.findings if not finding.sound]
 
 
+@pytest.mark.slow
 def test_a_sound_stick_passes_with_little_force(bench: Bench) -> None:
     before = bench.line.configuration()
     checks = insist(check(bench))
@@ -113,6 +114,7 @@ def test_a_dead_or_inverted_axis_gets_no_force(
     assert not bench.board.enabled
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("offset", [24, -24])
 def test_a_drifted_zero_is_told_and_set_anew(bench: Bench, offset: int) -> None:
     bench.board.set(0, "position", offset * bench.board.get(0, "per_count"))
@@ -130,6 +132,7 @@ def test_a_drifted_zero_is_told_and_set_anew(bench: Bench, offset: int) -> None:
     assert not check(bench).drifted
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("side", [1, -1])
 def test_a_stick_that_leans_on_its_stop_passes_wherever_its_zero_is(
     bench: Bench, side: int
@@ -144,6 +147,7 @@ def test_a_stick_that_leans_on_its_stop_passes_wherever_its_zero_is(
     assert not check(bench).drifted
 
 
+@pytest.mark.slow
 def test_lost_counts_are_a_drifted_zero(bench: Bench) -> None:
     bench.board.release()
     for _ in range(8):
@@ -154,6 +158,7 @@ def test_lost_counts_are_a_drifted_zero(bench: Bench) -> None:
     assert abs(checks.shifts[1]) == pytest.approx(16, abs=2)
 
 
+@pytest.mark.slow
 def test_a_shorter_travel_than_is_said_gets_no_force(bench: Bench) -> None:
     bench.board.set(1, "travel", 0.7 * bench.board.get(1, "travel"))
     assert failed(check(bench)) == ["travel of y"]
@@ -227,6 +232,7 @@ def test_a_switch_that_is_felt_but_takes_no_force_away_ends_the_checks(bench: Be
     assert "noticed, but force and enable line stay on" in checks.findings[-1].found
 
 
+@pytest.mark.slow
 def test_a_stick_that_does_not_come_to_rest_in_its_centre_gets_no_force(bench: Bench) -> None:
     # Its own settings carry half of the handle's weight only, and do not centre x.
     falling = {"centring_stiffness": (0, 179, 340), "gravity": (50, 70, 0)}

@@ -61,6 +61,7 @@ def nothing(axis: int, duty: int) -> None:
     """Tell nobody."""
 
 
+@pytest.mark.slow
 def test_what_the_stick_is_comes_out_within_its_uncertainty(clamped: Bench) -> None:
     read = measure(clamped.line, cells(clamped), PLAN, nothing)
     for axis, name in enumerate(AXES):
@@ -77,6 +78,7 @@ def test_steps_go_both_ways_up_and_down() -> None:
     assert PLAN.total() == 30
 
 
+@pytest.mark.slow
 def test_each_step_is_told_before_it_is_felt_and_nothing_is_left(clamped: Bench) -> None:
     before = clamped.line.configuration()
     told: list[tuple[int, int]] = []

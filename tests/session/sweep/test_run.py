@@ -71,6 +71,7 @@ def test_a_point_that_another_job_finished_is_not_driven_again(unbroken: SweepFo
     assert {path: path.stat().st_mtime_ns for path in unbroken.results.iterdir()} == before
 
 
+@pytest.mark.slow
 def test_a_stopped_sweep_goes_on_and_comes_to_the_same(
     tmp_path: Path, unbroken: SweepFolder
 ) -> None:
