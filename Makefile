@@ -31,8 +31,9 @@ quick: $(INSTALLED)  ## Check in under two minutes: leaves out slow tests
 	$(BIN)/lint-imports --no-cache
 	$(BIN)/pytest -n 2 -m "not slow"
 
-bench: $(INSTALLED)  ## Measure speed and memory; prints JSON
+bench: $(INSTALLED)  ## Measure speed and memory, printed as JSON, then the stick as bench-stick does (on stderr)
 	@$(BIN)/python benchmarks/run.py
+	@$(BIN)/python benchmarks/stick.py >&2
 
 bench-arm: $(INSTALLED)  ## Measure the arm's controllers: success over random tasks, doors, a step's time
 	@$(BIN)/python benchmarks/arm.py
